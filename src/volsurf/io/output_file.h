@@ -1,0 +1,38 @@
+// Output files appear whole or not at all.
+#pragma once
+
+#include <filesystem>
+
+namespace volsurf {
+
+/// A result on its way to disk: write to temporary_path(), then commit(). Without commit() nothing is left behind,
+/// and a file that was there before stays as it was.
+class PendingOutput {
+public:
+  /// Creates an empty temporary file beside the target, with the target's extension. A target that is a symbolic link
+  /// is followed. Throws OutputError where the folder is missing or not writable, or the target is not a regular file
+  /// or is read-only.
+  explicit PendingOutput(const std::filesystem::path &target);
+
+  /// Removes the temporary file unless it was committed.
+  ~PendingOutput();
+
+  PendingOutput(PendingOutput &&other) noexcept;
+  PendingOutput &operator=(PendingOutput &&) = delete;
+  PendingOutput(const PendingOutput &) = delete;
+  PendingOutput &operator=(const PendingOutput &) = delete;
+
+  /// The path that the user asked for.
+  const std::filesystem::path &target() const { return target_; }
+  const std::filesystem::path &temporary_path() const { return temporary_; }
+
+  /// Forces the bytes to disk and renames the file to the target. Throws OutputError.
+  void commit();
+
+private:
+  std::filesystem::path target_;
+  std::filesystem::path destination_; ///< the target after following links
+  std::filesystem::path temporary_;   ///< empty once committed or moved from
+};
+
+} // namespace volsurf
