@@ -111,18 +111,19 @@ put_mr_heads() {
     mricron_volume ch2better.nii.gz
 }
 
+# InVesalius turns each slice of a scan upside down, as its picture has the front of the head at the high end of the
+# second axis: the frame is left-handed.
 put_ct_head() {
   put cranium.raw d87fd5e6aaf2c4fdf4f3fe28ee3335192fc2464ed8e9682fc78530cb837938da invesalius_matrix
-  put_header cranium cranium.raw int16 "256 256 108" "(0.957031,0,0) (0,0.957031,0) (0,0,1.5)" 0
+  put_header cranium cranium.raw int16 "256 256 108" "(0.957031,0,0) (0,-0.957031,0) (0,0,1.5)" 0
 }
 
-# An INRIMAGE file has a header of 256 bytes. The liver's second axis runs to the front of the body (the kidney lies at
-# its low end), so its frame is left-handed; the skull's first two axes run to the right and to the front.
+# An INRIMAGE file has a header of 256 bytes.
 put_cgal_images() {
   put liver.inr a0b09cf854bfb5bad38fdf3a03f1b9a64a9e8b4f6ea4da14932eb137bd7eea63 cgal_zipped_image liver.inr.gz
-  put_header liver liver.inr uint8 "438 353 165" "(0.617188,0,0) (0,-0.617188,0) (0,0,1.33333)" 256
+  put_header liver liver.inr uint8 "438 353 165" "(0.617188,0,0) (0,0.617188,0) (0,0,1.33333)" 256
   put skull.inr 7a9147c819e426fbd7bf4f0ed5ddac799e54376f64260ef4f650f29e3aa5d4c4 cgal_image skull_2.9.inr
-  put_header skull skull.inr float "64 64 64" "(-3.94305,0,0) (0,-3.94305,0) (0,0,3.65079)" 256
+  put_header skull skull.inr float "64 64 64" "(3.94305,0,0) (0,3.94305,0) (0,0,3.65079)" 256
 }
 
 put_readme() {
@@ -144,8 +145,9 @@ put_readme() {
 CGAL's copyright file (package libcgal-dev) puts every file without a notice of its own, as these two, under CC0 1.0.
 
 The NIfTI files say how they lie in the patient. For the others the headers here say it, as far as the anatomy shows it:
-front, back, top and bottom are sure in all three; the liver's left and right are sure too (so its frame is mirrored);
-left and right of cranium and skull are assumed. Their origins are not known and are 0.
+front, back, top and bottom are sure in all three, and the liver's left and right; left and right of skull and cranium
+are assumed (for cranium, that InVesalius turned each slice upside down, so that the frame is left-handed). Their
+origins are not known and are 0.
 END
 }
 
