@@ -18,17 +18,18 @@ test_packages=(
   clang-format clang-tidy git
 )
 render_packages=(python3-vtk9 xvfb xauth)
-paraview_packages=(paraview python3-paraview xvfb xauth)
 
 usage() {
   cat <<'END'
-usage: install_packages.sh [--test] [--render] [--paraview] [--list]
+usage: install_packages.sh [--test] [--render] [--list]
 
 Installs the Debian packages that building volsurf needs.
-  --test      also those of its tests
-  --render    also those of scripts/render.py (python3-vtk9 and a virtual display)
-  --paraview  also ParaView, for paraview/view.py
-  --list      prints the packages, installs nothing
+  --test    also those of its tests
+  --render  also those of scripts/render.py (python3-vtk9 and a virtual display)
+  --list    prints the packages, installs nothing
+
+ParaView, for paraview/view.py, is not among them: Debian's python3-paraview conflicts with python3-vtk9, which
+libvtk9-dev needs, so that it has to be on another machine or in a container.
 END
 }
 
@@ -77,7 +78,6 @@ main() {
     case $argument in
       --test) wanted+=("${test_packages[@]}") ;;
       --render) wanted+=("${render_packages[@]}") ;;
-      --paraview) wanted+=("${paraview_packages[@]}") ;;
       --list) list_only=yes ;;
       --help | -h) usage && return ;;
       *) usage >&2 && exit 2 ;;

@@ -18,10 +18,19 @@ from pathlib import Path
 
 # Module by module: all of VTK at once replaces vtkNrrdReader by one that needs MPI.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws text
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT, VTK_SHORT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, vtkLookupTable
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    VTK_FLOAT,
+    VTK_SHORT,
+    VTK_UNSIGNED_CHAR,
+    VTK_UNSIGNED_SHORT,
+    vtkLookupTable,
+)
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkIOImage import vtkImageReader2, vtkNIFTIImageReader, vtkNrrdReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkFiltersCore import vtkImageAppend
@@ -114,7 +123,7 @@ def fail(message):
 
 
 def run_on_virtual_display(words):
-    """Runs this program again under xvfb-run, because Debian's VTK draws through an X display. Returns its exit code."""
+    """Runs this program again under xvfb-run, as Debian's VTK draws on an X display. Returns its exit code."""
     if not shutil.which("xvfb-run"):
         fail("there is no display and no xvfb-run: install xvfb and xauth")
     return subprocess.call(["xvfb-run", "-a", sys.executable, __file__, *words])
@@ -140,7 +149,21 @@ def read_surface(path, colour_array):
         fail(f"{path}: holds no triangles")
     if colour_array != "none" and not surface.GetCellData().HasArray(colour_array):
         fail(f"{path}: has no array '{colour_array}' for its triangles")
-    return surface
+    return in_lps(surface)
+
+
+def in_lps(surface):
+    """The surface in LPS; volsurf says in the field SPACE where it wrote RAS."""
+    space = surface.GetFieldData().GetAbstractArray("SPACE")
+    if not space or space.GetValue(0) != "RAS":
+        return surface
+    half_turn = vtkTransform()
+    half_turn.RotateZ(180)
+    turned = vtkTransformPolyDataFilter()
+    turned.SetTransform(half_turn)
+    turned.SetInputData(surface)
+    turned.Update()
+    return turned.GetOutput()
 
 
 def read_volume(path):
@@ -347,13 +370,24 @@ def line_actor(surface, plane):
     return actor
 
 
-def slice_actor(volume, matrix, centre, normal):
-    """The scan's slice through the centre, across its own axis that is nearest to the normal."""
+def slice_place(volume, matrix, centre, normal):
+    """The slice through the centre, across the scan's own axis that is nearest to the normal: its axis and index."""
     axis = max(range(3), key=lambda column: cosine(matrix, column, normal))
     inverse = vtkMatrix4x4()
     vtkMatrix4x4.Invert(matrix, inverse)
-    size = volume.GetDimensions()[axis]
-    index = min(max(round(inverse.MultiplyPoint((*centre, 1))[axis]), 0), size - 1)
+    index = round(inverse.MultiplyPoint((*centre, 1))[axis])
+    return axis, min(max(index, 0), volume.GetDimensions()[axis] - 1)
+
+
+def slice_corners(volume, matrix, axis, index):
+    """The corners of a slice, in the world."""
+    ranges = [(0, size - 1) for size in volume.GetDimensions()]
+    ranges[axis] = (index,)
+    return [matrix.MultiplyPoint((*corner, 1))[:3] for corner in product(*ranges)]
+
+
+def slice_actor(volume, matrix, axis, index):
+    """A slice of the scan, in grey."""
     mapper = vtkImageSliceMapper()
     mapper.SetInputData(volume)
     mapper.SetOrientation(axis)
@@ -466,11 +500,6 @@ def sample_of_points(surfaces):
         yield from (surface.GetPoint(index) for index in range(0, surface.GetNumberOfPoints(), step))
 
 
-def corners(bounds):
-    """The eight corners of bounds."""
-    return list(product(bounds[0:2], bounds[2:4], bounds[4:6]))
-
-
 def seen_extent(camera, points):
     """Left, right, low and high of points as the camera sees them."""
     view = camera.GetViewTransformMatrix()
@@ -515,10 +544,10 @@ def renderer_of(surface, others, colours, scan, arguments):
     points = [point for point in sample_of_points(placed) if not inward or inward.EvaluateFunction(point) >= 0]
     if scan:
         across = half or VIEWS[arguments.view][0]
-        cut = slice_actor(*scan, centre, across)
-        renderer.AddViewProp(cut)
+        place = slice_place(*scan, centre, across)
+        renderer.AddViewProp(slice_actor(*scan, *place))
         renderer.AddActor(line_actor(surface, plane_through(centre, across)))
-        points += corners(cut.GetBounds())
+        points += slice_corners(*scan, *place)
     elif arguments.opacity == 1:
         shade_crevices(renderer, box_of(placed))
     aim(renderer, points, arguments, has_legend=isinstance(colours, vtkColorTransferFunction))
