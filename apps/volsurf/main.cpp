@@ -1,0 +1,107 @@
+// volsurf: from a scan to its surfaces.
+
+#include "command_line.h"
+#include "progress_bar.h"
+
+#include "volsurf/pipeline/run.h"
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void note_interrupt(int)
+{
+  interrupted = true;
+}
+
+int fail(int code, const std::string &message)
+{
+  std::cerr << "volsurf: " << message << '\n';
+  return code;
+}
+
+void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
+{
+  for (const std::string &warning : report.warnings)
+    std::cerr << "volsurf: warning: " << warning << '\n';
+  if (verbosity == volsurf::Verbosity::quiet)
+    return;
+  for (const auto &output : report.settings.outputs)
+    std::cerr << output.string() << ": " << report.mesh.triangles << " triangles in " << report.components_kept
+              << " of " << report.components << " components, between " << report.regions << " regions"
+              << (report.mesh.watertight ? ", watertight" : "") << '\n';
+}
+
+void print_details(const volsurf::Report &report)
+{
+  std::cerr << "volume      " << report.grid.size[0] << " x " << report.grid.size[1] << " x " << report.grid.size[2]
+            << " samples of " << report.grid.spacing_mm[0] << " x " << report.grid.spacing_mm[1] << " x "
+            << report.grid.spacing_mm[2] << " mm, " << report.pixel_type << '\n'
+            << "field       sigma " << report.sigma_mm << " mm\n"
+            << "merge       " << report.basins << " basins, largest persistence " << report.largest_persistence << '\n'
+            << "regions     " << report.regions << ", the background is region " << report.background_region << '\n'
+            << "mesh        area " << report.mesh.area_mm2 << " mm2, volume " << report.mesh.volume_mm3 << " mm3, "
+            << report.mesh.open_edges << " open and " << report.mesh.non_manifold_edges << " non-manifold edges\n"
+            << "smoothing   " << report.smoothing.iterations << " passes at pass band " << report.smoothing.pass_band
+            << ", volume drift " << 100 * report.smoothing.volume_drift << " %\n";
+  for (const auto &[stage, seconds] : report.seconds)
+    std::cerr << "time        " << stage << ' ' << seconds << " s\n";
+  std::cerr << "memory      " << static_cast<double>(report.peak_memory_bytes) / 1e6 << " MB at most, "
+            << report.threads << " threads\n";
+}
+
+int run_command(const volsurf::CommandLine &line)
+{
+  volsurf::Report report;
+  {
+    volsurf::ProgressBar bar(line.verbosity != volsurf::Verbosity::quiet);
+    report = volsurf::run(line.settings, [&](std::string_view stage, double fraction) {
+      bar.show(stage, fraction);
+      return !interrupted;
+    });
+  }
+  print_summary(report, line.verbosity);
+  if (line.verbosity == volsurf::Verbosity::verbose)
+    print_details(report);
+  if (line.report_to_stdout)
+    std::cout << volsurf::to_json(report) << std::flush;
+  if (!std::cout)
+    throw volsurf::OutputError("standard output: the report could not be written");
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+  try {
+    const auto parsed = volsurf::parse_command_line(argc, argv);
+    if (!parsed.early_exit)
+      return run_command(parsed.command_line);
+    if (parsed.early_exit->code != 0)
+      return fail(parsed.early_exit->code, parsed.early_exit->text);
+    std::cout << parsed.early_exit->text;
+    return 0;
+  } catch (const volsurf::UsageError &error) {
+    return fail(2, error.what());
+  } catch (const volsurf::InputError &error) {
+    return fail(3, error.what());
+  } catch (const volsurf::EmptyResult &error) {
+    return fail(4, error.what());
+  } catch (const volsurf::OutputError &error) {
+    return fail(5, error.what());
+  } catch (const volsurf::Cancelled &error) {
+    return fail(130, error.what());
+  } catch (const std::bad_alloc &) {
+    return fail(1, "out of memory");
+  } catch (const std::exception &error) {
+    return fail(1, error.what());
+  }
+}

@@ -1,0 +1,20 @@
+#include "volsurf/core/timer.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace volsurf {
+
+std::int64_t peak_memory_bytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{1024} * usage.ru_maxrss;
+}
+
+std::uint64_t physical_memory_bytes()
+{
+  return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+}
+
+} // namespace volsurf

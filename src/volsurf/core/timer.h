@@ -1,0 +1,39 @@
+// Where a run spends its time and memory.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace volsurf {
+
+/// Seconds per stage, in the order of the stages.
+using StageSeconds = std::vector<std::pair<std::string, double>>;
+
+/// Adds the wall time from one call of lap() to the next to a list.
+class StageTimer {
+public:
+  /// The time since the last lap belongs to `stage`.
+  void lap(const std::string &stage)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    seconds_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    last_ = now;
+  }
+
+  const StageSeconds &seconds() const { return seconds_; }
+
+private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  StageSeconds seconds_;
+};
+
+/// The most memory that the process has had so far.
+std::int64_t peak_memory_bytes();
+
+/// The machine's memory.
+std::uint64_t physical_memory_bytes();
+
+} // namespace volsurf

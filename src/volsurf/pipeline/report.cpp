@@ -1,0 +1,114 @@
+#include "volsurf/pipeline/report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace volsurf {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no infinity: null stands for it.
+Json finite_or_null(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json geometry_json(const Grid &grid)
+{
+  return {{"size", grid.size},
+          {"spacing_mm", grid.spacing_mm},
+          {"origin_mm", grid.origin_mm},
+          {"direction", grid.direction}};
+}
+
+Json options_json(const Report &report)
+{
+  const Settings &settings = report.settings;
+  Json outputs = Json::array();
+  for (const auto &output : settings.outputs)
+    outputs.push_back(output.string());
+  Json options{{"command_line", describe(settings)},
+               {"delta", settings.delta},
+               {"sigma_mm", report.sigma_mm},
+               {"edge_map", settings.field.edge_map},
+               {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},
+               {"surface", settings.surface == SurfaceKind::hull ? "hull" : "all"},
+               {"seeds_mm", settings.seeds_mm},
+               {"smooth", settings.smoothing.strength},
+               {"iterations", report.smoothing.iterations},
+               {"passband", report.smoothing.pass_band},
+               {"frame", frame_name(settings.frame)},
+               {"outputs", outputs},
+               {"threads", report.threads}};
+  return options;
+}
+
+Json regions_json(const Report &report)
+{
+  Json regions = Json::array();
+  for (const RegionSummary &region : report.strongest_regions)
+    regions.push_back({{"id", region.id},
+                       {"persistence", finite_or_null(region.persistence)},
+                       {"cells", region.cells},
+                       {"maximum_mm", region.maximum_mm}});
+  return regions;
+}
+
+Json mesh_json(const Report &report)
+{
+  const MeshCheck &mesh = report.mesh;
+  return {{"points", mesh.points},
+          {"triangles", mesh.triangles},
+          {"shells", mesh.shells},
+          {"watertight", mesh.watertight},
+          {"open_edges", mesh.open_edges},
+          {"non_manifold_edges", mesh.non_manifold_edges},
+          {"misoriented_edges", mesh.misoriented_edges},
+          {"genus", mesh.watertight ? Json(mesh.genus) : Json(nullptr)},
+          {"area_mm2", mesh.area_mm2},
+          {"volume_mm3", mesh.volume_mm3},
+          {"volume_drift", report.smoothing.volume_drift},
+          {"bounds_low_mm", mesh.bounds_low_mm},
+          {"bounds_high_mm", mesh.bounds_high_mm}};
+}
+
+} // namespace
+
+std::string to_json(const Report &report)
+{
+  Json seconds = Json::object();
+  for (const auto &[stage, duration] : report.seconds)
+    seconds[stage] = duration;
+  const Json json{{"version", version_text()},
+                  {"source",
+                   {{"path", report.source.path},
+                    {"bytes", report.source.bytes},
+                    {"sha256", report.source.sha256},
+                    {"pixel_type", report.pixel_type}}},
+                  {"geometry", geometry_json(report.grid)},
+                  {"options", options_json(report)},
+                  {"counts",
+                   {{"samples", report.grid.sample_count()},
+                    {"cells", report.grid.cell_count()},
+                    {"non_finite_gradients", report.non_finite_gradients},
+                    {"basins", report.basins},
+                    {"regions", report.regions},
+                    {"boundary_faces", report.boundary_faces},
+                    {"components", report.components},
+                    {"components_kept", report.components_kept},
+                    {"components_dropped", report.components - report.components_kept}}},
+                  {"largest_persistence", report.largest_persistence},
+                  {"background_region", report.background_region},
+                  {"strongest_regions", regions_json(report)},
+                  {"component_sizes", report.component_sizes},
+                  {"mesh", mesh_json(report)},
+                  {"warnings", report.warnings},
+                  {"seconds", seconds},
+                  {"peak_memory_bytes", report.peak_memory_bytes}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace volsurf

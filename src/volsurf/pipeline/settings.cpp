@@ -1,0 +1,63 @@
+#include "volsurf/pipeline/settings.h"
+
+#include <sstream>
+
+namespace volsurf {
+
+namespace {
+
+struct KeepText {
+  std::ostringstream &out;
+
+  void operator()(const KeepAll &) const { out << "all"; }
+  void operator()(const KeepCount &keep) const { out << keep.count; }
+  void operator()(const KeepPercent &keep) const { out << keep.percent << '%'; }
+};
+
+const char *rank_name(RankBy rank_by)
+{
+  switch (rank_by) {
+  case RankBy::area:
+    return "area";
+  case RankBy::radius:
+    return "radius";
+  case RankBy::faces:
+    break;
+  }
+  return "faces";
+}
+
+} // namespace
+
+std::string describe(const Settings &settings)
+{
+  std::ostringstream out;
+  out.precision(9);
+  out << "--delta " << settings.delta;
+  if (settings.field.edge_map)
+    out << " --edge-map";
+  else if (settings.field.sigma_mm)
+    out << " --sigma " << *settings.field.sigma_mm;
+  out << " --exterior " << (settings.exterior == Exterior::infinite ? "infinite" : "none");
+  if (settings.surface == SurfaceKind::hull)
+    out << " --surface hull";
+  for (const Vec3 &seed : settings.seeds_mm)
+    out << " --seed " << seed[0] << ',' << seed[1] << ',' << seed[2];
+  out << " --keep ";
+  std::visit(KeepText{out}, settings.components.keep);
+  out << " --rank-by " << rank_name(settings.components.rank_by);
+  out << " --smooth " << settings.smoothing.strength;
+  if (settings.smoothing.iterations)
+    out << " --iterations " << *settings.smoothing.iterations;
+  if (settings.smoothing.pass_band)
+    out << " --passband " << *settings.smoothing.pass_band;
+  out << " --frame " << (settings.frame == Frame::ras ? "ras" : "lps");
+  return out.str();
+}
+
+std::string version_text()
+{
+  return "volsurf " VOLSURF_VERSION;
+}
+
+} // namespace volsurf

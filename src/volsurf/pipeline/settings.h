@@ -1,0 +1,50 @@
+// All that a run can be told. Defaults stand in the stages' own options, once.
+#pragma once
+
+#include "volsurf/field/gradient.h"
+#include "volsurf/interop/frame.h"
+#include "volsurf/surface/components.h"
+#include "volsurf/surface/smoothing.h"
+#include "volsurf/topology/cubical_complex.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace volsurf {
+
+enum class SurfaceKind {
+  all,  ///< between all regions
+  hull, ///< between the background region and the others
+};
+
+struct Settings {
+  std::filesystem::path input;
+  std::string series_uid; ///< of a DICOM folder with several series
+
+  FieldOptions field;
+  double delta = 0; ///< the persistence that a boundary must reach, in intensity per mm; > 0
+  Exterior exterior = Exterior::none;
+
+  SurfaceKind surface = SurfaceKind::all;
+  std::vector<Vec3> seeds_mm; ///< in `frame`; not empty: only the boundaries of the regions that hold these points
+  ComponentOptions components;
+  SmoothingOptions smoothing;
+
+  std::vector<std::filesystem::path> outputs;  ///< by extension; may be empty where labels or a report are wanted
+  std::optional<std::filesystem::path> labels; ///< region of each cell, .nrrd
+  std::optional<std::filesystem::path> report; ///< JSON
+  Frame frame = Frame::lps;
+
+  int threads = 0; ///< 0: all that are available
+};
+
+/// The options that decide the result, as a command line would give them: the provenance of the outputs. Threads and
+/// file names are left out, so that they do not show in the bytes.
+std::string describe(const Settings &settings);
+
+/// The program and its version, "volsurf 1.0.0".
+std::string version_text();
+
+} // namespace volsurf

@@ -1,0 +1,26 @@
+// The boundary E(delta): the faces between cells that the surface separates.
+//
+// Source: the paper, algorithm 3, and DESIGN section 2. What lies outside the volume counts as part of the background.
+#pragma once
+
+#include "volsurf/core/cell_labels.h"
+#include "volsurf/surface/face_set.h"
+
+#include <vector>
+
+namespace volsurf {
+
+/// What the surface separates: cells on different sides. Side 0 is what the user did not ask for; it is never inside.
+struct Sides {
+  std::vector<RegionId> of_basin;
+  RegionId outside = 0; ///< of what lies outside the volume
+};
+
+/// The faces whose two cells lie on different sides, those at the border of the volume included. Parallel, O(cells).
+FaceSet find_boundary(const CellLabels &cells, const Sides &sides);
+
+/// The number of border faces of each region, indexed by region id. `regions` is the number of regions.
+std::vector<std::int64_t> count_border_faces(const CellLabels &cells, const std::vector<RegionId> &region_of_basin,
+                                             std::size_t regions);
+
+} // namespace volsurf

@@ -1,0 +1,332 @@
+#include "volsurf/surface/components.h"
+
+#include "volsurf/core/error.h"
+#include "volsurf/core/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace volsurf {
+
+namespace {
+
+constexpr std::int64_t kPlanesPerSlab = 32;
+
+/// Union-find over faces; the representative of a set is its lowest index, however the sets were joined.
+class FaceForest {
+public:
+  explicit FaceForest(FaceIndex size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), FaceIndex{0}); }
+
+  FaceIndex find(FaceIndex face)
+  {
+    while (parent_[face] != face) {
+      parent_[face] = parent_[parent_[face]];
+      face = parent_[face];
+    }
+    return face;
+  }
+
+  void join(FaceIndex a, FaceIndex b)
+  {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<FaceIndex> parent_;
+};
+
+/// Joins the faces of each grid edge. The edge at a sample along an axis has up to four faces: of each other axis one
+/// with its lowest corner there, and one whose lowest corner is one lower along the remaining axis.
+class EdgeJoiner {
+public:
+  EdgeJoiner(const FaceSet &faces, FaceForest &forest) : faces_(faces), forest_(forest) {}
+
+  /// The edges at samples of plane z that have faces in plane z only.
+  void join_within(std::int64_t z) { join_plane(z, false); }
+
+  /// All edges at samples of plane z along x and y, which have faces in planes z and z - 1.
+  void join_with_lower(std::int64_t z) { join_plane(z, true); }
+
+private:
+  void join_plane(std::int64_t z, bool with_lower)
+  {
+    for (std::int64_t y = 0; y < faces_.samples()[1]; ++y)
+      for (int edge_axis = with_lower ? 0 : 2; edge_axis < (with_lower ? 2 : 3); ++edge_axis)
+        join_row(edge_axis, y, z);
+  }
+
+  void join_row(int edge_axis, std::int64_t y, std::int64_t z)
+  {
+    const int a = (edge_axis + 1) % 3;
+    const int b = (edge_axis + 2) % 3;
+    for (std::int64_t w = 0; w < faces_.words_per_row(); ++w) {
+      std::uint64_t any = shifted(a, b, w, y, z) | shifted(b, a, w, y, z);
+      any |= faces_.row(a, y, z)[w] | faces_.row(b, y, z)[w];
+      for (; any != 0; any &= any - 1)
+        join_edge(a, b, {64 * w + __builtin_ctzll(any), y, z});
+    }
+  }
+
+  /// Bit x: is there a face of axis `a` whose lowest corner is one lower along axis `lower` than (x, y, z)?
+  std::uint64_t shifted(int a, int lower, std::int64_t w, std::int64_t y, std::int64_t z) const
+  {
+    if (lower == 0) {
+      const std::uint64_t *const words = faces_.row(a, y, z);
+      return words[w] << 1 | (w > 0 ? words[w - 1] >> 63 : 0);
+    }
+    const std::int64_t row_y = lower == 1 ? y - 1 : y;
+    const std::int64_t row_z = lower == 2 ? z - 1 : z;
+    return row_y < 0 || row_z < 0 ? 0 : faces_.row(a, row_y, row_z)[w];
+  }
+
+  void join_edge(int a, int b, const Index3 &p)
+  {
+    Index3 below_b = p;
+    --below_b[b];
+    Index3 below_a = p;
+    --below_a[a];
+    FaceIndex previous = 0;
+    bool has_previous = false;
+    for (const FacePosition &face :
+         {FacePosition{a, p}, FacePosition{a, below_b}, FacePosition{b, p}, FacePosition{b, below_a}}) {
+      if (!faces_.contains(face.axis, face.corner[0], face.corner[1], face.corner[2]))
+        continue;
+      const FaceIndex index = faces_.index_of(face.axis, face.corner[0], face.corner[1], face.corner[2]);
+      if (has_previous)
+        forest_.join(previous, index);
+      previous = index;
+      has_previous = true;
+    }
+  }
+
+  const FaceSet &faces_;
+  FaceForest &forest_;
+};
+
+/// Slabs touch faces of their own only; the planes between slabs are joined afterwards.
+void join_over_edges(const FaceSet &faces, FaceForest &forest)
+{
+  parallel_for_slabs(faces.samples()[2], kPlanesPerSlab, [&](const Slab &slab) {
+    EdgeJoiner joiner(faces, forest);
+    for (std::int64_t z = slab.begin; z < slab.end; ++z) {
+      joiner.join_within(z);
+      if (z > slab.begin)
+        joiner.join_with_lower(z);
+    }
+  });
+  EdgeJoiner joiner(faces, forest);
+  for (std::int64_t z = 0; z < faces.samples()[2]; z += kPlanesPerSlab)
+    joiner.join_with_lower(z);
+}
+
+double face_area_mm2(const Grid &grid, int axis)
+{
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  Vec3 u{};
+  Vec3 v{};
+  for (int i = 0; i < 3; ++i) {
+    u[i] = grid.direction[i][a] * grid.spacing_mm[a];
+    v[i] = grid.direction[i][b] * grid.spacing_mm[b];
+  }
+  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+std::vector<double> areas(const FaceSet &faces, const Grid &grid, const std::vector<ComponentId> &of_face,
+                          std::size_t count)
+{
+  const std::array<double, 3> area{face_area_mm2(grid, 0), face_area_mm2(grid, 1), face_area_mm2(grid, 2)};
+  std::vector<std::array<std::int64_t, 3>> faces_of_axis(count);
+  faces.for_each(0, faces.samples()[2],
+                 [&](FaceIndex index, const FacePosition &face) { ++faces_of_axis[of_face[index]][face.axis]; });
+  std::vector<double> sizes;
+  for (const auto &n : faces_of_axis)
+    sizes.push_back(static_cast<double>(n[0]) * area[0] + static_cast<double>(n[1]) * area[1] +
+                    static_cast<double>(n[2]) * area[2]);
+  return sizes;
+}
+
+/// The distinct components that have a point at a sample.
+void components_at(const FaceSet &faces, const std::vector<ComponentId> &of_face, const Index3 &sample,
+                   std::vector<ComponentId> &here)
+{
+  here.clear();
+  for (int axis = 0; axis < 3; ++axis)
+    for (int k = 0; k < 4; ++k) {
+      Index3 p = sample;
+      p[(axis + 1) % 3] -= k & 1;
+      p[(axis + 2) % 3] -= k >> 1;
+      if (faces.contains(axis, p[0], p[1], p[2]))
+        here.push_back(of_face[faces.index_of(axis, p[0], p[1], p[2])]);
+    }
+  std::sort(here.begin(), here.end());
+  here.erase(std::unique(here.begin(), here.end()), here.end());
+}
+
+/// Calls visit(component, point) once for each point of each component, in the order of samples.
+template <typename Visit>
+void for_each_point(const FaceSet &faces, const Grid &grid, const std::vector<ComponentId> &of_face, Visit visit)
+{
+  std::vector<ComponentId> here;
+  for (std::int64_t z = 0; z < faces.samples()[2]; ++z)
+    for (std::int64_t y = 0; y < faces.samples()[1]; ++y)
+      for (std::int64_t x = 0; x < faces.samples()[0]; ++x) {
+        components_at(faces, of_face, {x, y, z}, here);
+        for (const ComponentId component : here)
+          visit(component,
+                index_to_world(grid, {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)}));
+      }
+}
+
+std::vector<double> radii(const FaceSet &faces, const Grid &grid, const std::vector<ComponentId> &of_face,
+                          std::size_t count)
+{
+  std::vector<Vec3> centroid(count);
+  std::vector<double> points(count);
+  for_each_point(faces, grid, of_face, [&](ComponentId component, const Vec3 &point) {
+    for (int i = 0; i < 3; ++i)
+      centroid[component][i] += point[i];
+    ++points[component];
+  });
+  for (std::size_t component = 0; component < count; ++component)
+    for (double &coordinate : centroid[component])
+      coordinate /= points[component];
+
+  std::vector<double> radius(count);
+  for_each_point(faces, grid, of_face, [&](ComponentId component, const Vec3 &point) {
+    const Vec3 &centre = centroid[component];
+    const double distance = std::hypot(point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]);
+    radius[component] = std::max(radius[component], distance);
+  });
+  return radius;
+}
+
+std::vector<double> face_counts(const std::vector<ComponentId> &of_face, std::size_t count)
+{
+  std::vector<double> sizes(count);
+  for (const ComponentId component : of_face)
+    ++sizes[component];
+  return sizes;
+}
+
+/// Numbers the trees of the forest from 0, in the order of their lowest index. Returns their number.
+std::size_t number_trees(FaceForest &forest, std::vector<ComponentId> &of_face)
+{
+  ComponentId count = 0;
+  for (FaceIndex face = 0; face < of_face.size(); ++face) {
+    const FaceIndex root = forest.find(face);
+    of_face[face] = root == face ? count++ : of_face[root];
+  }
+  return count;
+}
+
+/// Per component the lowest face by (sample of its lowest corner, axis).
+std::vector<std::int64_t> lowest_faces(const FaceSet &faces, const std::vector<ComponentId> &of_face, std::size_t count)
+{
+  std::vector<std::int64_t> lowest(count, std::numeric_limits<std::int64_t>::max());
+  const Index3 &n = faces.samples();
+  faces.for_each(0, n[2], [&](FaceIndex index, const FacePosition &face) {
+    const SampleId corner = (face.corner[2] * n[1] + face.corner[1]) * n[0] + face.corner[0];
+    std::int64_t &component_lowest = lowest[of_face[index]];
+    component_lowest = std::min(component_lowest, 3 * corner + face.axis);
+  });
+  return lowest;
+}
+
+struct CountToKeep {
+  std::size_t components;
+
+  std::size_t operator()(const KeepAll &) const { return components; }
+  std::size_t operator()(const KeepCount &keep) const
+  {
+    return std::min(components, static_cast<std::size_t>(keep.count));
+  }
+  std::size_t operator()(const KeepPercent &keep) const
+  {
+    const double share = std::ceil(keep.percent * static_cast<double>(components) / 100.0);
+    return std::clamp<std::size_t>(static_cast<std::size_t>(share), 1, components);
+  }
+};
+
+} // namespace
+
+Keep parse_keep(const std::string &text)
+{
+  if (text == "all")
+    return KeepAll{};
+  std::size_t used = 0;
+  double number = 0;
+  try {
+    number = std::stod(text, &used);
+  } catch (const std::logic_error &) {
+    used = 0;
+  }
+  if (used > 0 && text.substr(used) == "%" && number > 0 && number <= 100)
+    return KeepPercent{number};
+  if (used > 0 && used == text.size() && number >= 1 && number <= 1e9 && number == std::floor(number))
+    return KeepCount{static_cast<std::int64_t>(number)};
+  throw UsageError("--keep: found \"" + text +
+                   "\"; allowed are all, a count (3) or a percentage above 0 and up to 100 (5%)");
+}
+
+Components find_components(const FaceSet &faces, const Grid &grid, const ComponentOptions &options)
+{
+  FaceForest forest(faces.size());
+  join_over_edges(faces, forest);
+  std::vector<ComponentId> of_face(faces.size());
+  const std::size_t count = number_trees(forest, of_face);
+
+  std::vector<double> size;
+  switch (options.rank_by) {
+  case RankBy::faces:
+    size = face_counts(of_face, count);
+    break;
+  case RankBy::area:
+    size = areas(faces, grid, of_face, count);
+    break;
+  case RankBy::radius:
+    size = radii(faces, grid, of_face, count);
+    break;
+  }
+  const auto lowest = lowest_faces(faces, of_face, count);
+  std::vector<ComponentId> order(count);
+  std::iota(order.begin(), order.end(), ComponentId{0});
+  std::sort(order.begin(), order.end(), [&](ComponentId a, ComponentId b) {
+    return size[a] != size[b] ? size[a] > size[b] : lowest[a] < lowest[b];
+  });
+
+  Components components;
+  std::vector<ComponentId> rank(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    rank[order[i]] = static_cast<ComponentId>(i + 1);
+    components.sizes.push_back(size[order[i]]);
+  }
+  for (ComponentId &component : of_face)
+    component = rank[component];
+  components.of_face = std::move(of_face);
+  components.kept = std::visit(CountToKeep{count}, options.keep);
+  return components;
+}
+
+KeptFaces keep_components(FaceSet faces, const Components &components)
+{
+  if (components.kept == components.count())
+    return {std::move(faces), components.of_face};
+  FaceSet kept(faces.samples());
+  std::vector<ComponentId> component;
+  faces.for_each(0, faces.samples()[2], [&](FaceIndex index, const FacePosition &face) {
+    if (components.of_face[index] > components.kept)
+      return;
+    const auto &[x, y, z] = face.corner;
+    kept.row(face.axis, y, z)[x >> 6] |= std::uint64_t{1} << (x & 63);
+    component.push_back(components.of_face[index]);
+  });
+  kept.index();
+  return {std::move(kept), std::move(component)};
+}
+
+} // namespace volsurf

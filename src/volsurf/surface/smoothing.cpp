@@ -1,0 +1,125 @@
+#include "volsurf/surface/smoothing.h"
+
+#include "volsurf/core/error.h"
+#include "volsurf/interop/vtk_mesh.h"
+#include "volsurf/surface/check.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace volsurf {
+
+namespace {
+
+[[noreturn]] void refuse(const char *option, double found, const char *allowed)
+{
+  std::ostringstream message;
+  message << option << ": found " << found << "; allowed are " << allowed;
+  throw UsageError(message.str());
+}
+
+void check_options(const SmoothingOptions &options)
+{
+  if (!(options.strength >= 0 && options.strength <= 1))
+    refuse("--smooth", options.strength, "0 to 1");
+  if (options.iterations && (*options.iterations < kFewestIterations || *options.iterations > 1000))
+    refuse("--iterations", *options.iterations, "15 to 1000");
+  if (options.pass_band && !(*options.pass_band >= kSmallestPassBand && *options.pass_band <= 2))
+    refuse("--passband", *options.pass_band, "0.001 to 2");
+}
+
+/// A point of a cap and the border plane that it must stay in.
+struct CapPoint {
+  PointId point;
+  int axis;
+  double index; ///< of the plane along the axis
+};
+
+bool near(double a, double b)
+{
+  return std::abs(a - b) < 1e-3;
+}
+
+/// The border planes of all points of caps, found before the points move. A point on the edge of two caps is in both.
+std::vector<CapPoint> find_cap_points(const Mesh &mesh, const Grid &grid)
+{
+  std::vector<CapPoint> cap_points;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.cap[t] == 0)
+      continue;
+    std::array<Vec3, 3> corners{};
+    for (int i = 0; i < 3; ++i) {
+      const Point &p = mesh.points[mesh.triangles[t][i]];
+      corners[i] = world_to_index(grid, {p[0], p[1], p[2]});
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double plane : {0.0, static_cast<double>(grid.size[axis] - 1)})
+        if (std::all_of(corners.begin(), corners.end(), [&](const Vec3 &corner) { return near(corner[axis], plane); }))
+          for (const PointId point : mesh.triangles[t])
+            cap_points.push_back({point, axis, plane});
+  }
+  return cap_points;
+}
+
+void put_back_into_planes(const std::vector<CapPoint> &cap_points, const Grid &grid, Mesh &mesh)
+{
+  for (const CapPoint &cap : cap_points) {
+    Point &point = mesh.points[cap.point];
+    Vec3 index = world_to_index(grid, {point[0], point[1], point[2]});
+    index[cap.axis] = cap.index;
+    const Vec3 world = index_to_world(grid, index);
+    point = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+  }
+}
+
+void run_filter(Mesh &mesh, const SmoothingResult &parameters)
+{
+  const auto filter = vtkSmartPointer<vtkWindowedSincPolyDataFilter>::New();
+  filter->SetInputData(to_poly_data(mesh));
+  filter->SetNumberOfIterations(parameters.iterations);
+  filter->SetPassBand(parameters.pass_band);
+  filter->NormalizeCoordinatesOn();
+  filter->FeatureEdgeSmoothingOff();
+  filter->NonManifoldSmoothingOff(); // junctions are treated as curves
+  filter->BoundarySmoothingOn();
+  filter->SetEdgeAngle(180); // a staircase's corners are no corners of the curve
+  filter->Update();
+  copy_points(*filter->GetOutput(), mesh);
+}
+
+void require_finite(const Mesh &mesh)
+{
+  for (const Point &point : mesh.points)
+    for (const float coordinate : point)
+      if (!std::isfinite(coordinate))
+        throw Error("smoothing overflowed; try --smooth 0 or a larger --passband");
+}
+
+} // namespace
+
+SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions &options)
+{
+  check_options(options);
+  if (options.strength == 0 || mesh.points.empty())
+    return {};
+  SmoothingResult result;
+  result.iterations = options.iterations.value_or(static_cast<int>(std::lround(20 + 40 * options.strength)));
+  result.pass_band = options.pass_band.value_or(std::max(std::pow(10.0, -4 * options.strength), kSmallestPassBand));
+
+  const double volume_before = signed_volume_mm3(mesh);
+  const auto cap_points = find_cap_points(mesh, grid);
+  run_filter(mesh, result);
+  put_back_into_planes(cap_points, grid, mesh);
+  require_finite(mesh);
+  if (volume_before != 0)
+    result.volume_drift = signed_volume_mm3(mesh) / volume_before - 1;
+  return result;
+}
+
+} // namespace volsurf

@@ -1,0 +1,38 @@
+// Smoothing of the staircase of faces, by vtkWindowedSincPolyDataFilter.
+//
+// Source: Taubin, Zhang, Golub, "Optimal surface smoothing as filter design", ECCV 1996.
+#pragma once
+
+#include "volsurf/core/grid.h"
+#include "volsurf/core/mesh.h"
+
+#include <optional>
+
+namespace volsurf {
+
+struct SmoothingOptions {
+  double strength = 0.5;           ///< 0 .. 1; 0 leaves the faces as they are
+  std::optional<int> iterations;   ///< not set: 20 + 40 * strength, as 3D Slicer does
+  std::optional<double> pass_band; ///< not set: 10^(-4 * strength), but at least kSmallestPassBand
+};
+
+/// Below these the filter was measured to shrink, or to overflow.
+constexpr int kFewestIterations = 15;
+constexpr double kSmallestPassBand = 1e-3;
+
+/// What the filter did.
+struct SmoothingResult {
+  int iterations = 0; ///< 0: not smoothed
+  double pass_band = 0;
+  double volume_drift = 0; ///< relative change of the enclosed volume
+};
+
+/// Drift of volume above which a result deserves a warning.
+constexpr double kLargestVolumeDrift = 0.05;
+
+/// Moves the points of `mesh`. Points where three or four faces meet at an edge move along that curve only, its ends
+/// stay; points of caps stay in the border planes of `grid`. Throws UsageError for options out of range, Error where
+/// the filter gives points that are not finite. O(iterations * points).
+SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions &options);
+
+} // namespace volsurf

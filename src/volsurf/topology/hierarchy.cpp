@@ -1,0 +1,143 @@
+#include "volsurf/topology/hierarchy.h"
+
+#include "volsurf/core/radix_sort.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace volsurf {
+
+namespace {
+
+/// Finds the representative, halving the path.
+BasinId find(std::vector<BasinId> &parent, BasinId basin)
+{
+  while (parent[basin] != basin) {
+    parent[basin] = parent[parent[basin]];
+    basin = parent[basin];
+  }
+  return basin;
+}
+
+/// Basins are numbered in the order of their maximal vertices, which breaks ties.
+bool is_elder(const std::vector<float> &values, BasinId a, BasinId b)
+{
+  return values[a] > values[b] || (values[a] == values[b] && a < b);
+}
+
+/// Kruskal with the elder rule. Sets `persistence` of each basin that dies, and returns for each the basin on the other
+/// side of its last edge.
+std::vector<BasinId> join_basins(const std::vector<SaddleEdge> &edges, const std::vector<float> &values,
+                                 std::vector<float> &persistence)
+{
+  std::vector<BasinId> elder_side(values.size());
+  std::iota(elder_side.begin(), elder_side.end(), BasinId{0});
+  std::vector<BasinId> component = elder_side; // D1: its representative is its eldest basin
+  for (const SaddleEdge &edge : edges) {
+    BasinId elder = find(component, edge.a);
+    BasinId younger = find(component, edge.b);
+    if (elder == younger)
+      continue;
+    BasinId side = edge.a;
+    if (is_elder(values, younger, elder)) {
+      std::swap(elder, younger);
+      side = edge.b;
+    }
+    persistence[younger] = values[younger] - edge.value;
+    elder_side[younger] = side;
+    component[younger] = elder;
+  }
+  return elder_side;
+}
+
+std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
+{
+  std::vector<BasinId> by_rank(persistence.size());
+  std::iota(by_rank.begin(), by_rank.end(), BasinId{0});
+  radix_sort(by_rank, [&](BasinId basin) { return descending_bits(persistence[basin]); });
+  return by_rank;
+}
+
+/// From the last rank to the first: a basin's way to the elder side, past all those of later rank, which are linked to
+/// their ancestors by then.
+std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank)
+{
+  std::vector<BasinId> linked(elder_side.size());
+  std::iota(linked.begin(), linked.end(), BasinId{0});
+  std::vector<BasinId> ancestor = linked;
+  for (auto basin = by_rank.rbegin(); basin != by_rank.rend(); ++basin) {
+    ancestor[*basin] = find(linked, elder_side[*basin]);
+    linked[*basin] = ancestor[*basin];
+  }
+  return ancestor;
+}
+
+} // namespace
+
+Hierarchy make_hierarchy(Basins &basins, std::vector<SaddleEdge> &edges, Exterior exterior)
+{
+  radix_sort(edges, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
+
+  Hierarchy hierarchy;
+  hierarchy.roots = std::move(basins.roots);
+  hierarchy.values = std::move(basins.values);
+  hierarchy.cell_counts = std::move(basins.cell_counts);
+  if (exterior == Exterior::infinite)
+    hierarchy.exterior = static_cast<BasinId>(hierarchy.roots.size() - 1);
+  hierarchy.persistence.assign(hierarchy.roots.size(), std::numeric_limits<float>::infinity());
+  const auto elder_side = join_basins(edges, hierarchy.values, hierarchy.persistence);
+  hierarchy.by_rank = sort_by_persistence(hierarchy.persistence);
+  hierarchy.rank.resize(hierarchy.by_rank.size());
+  for (std::uint32_t rank = 0; rank < hierarchy.by_rank.size(); ++rank)
+    hierarchy.rank[hierarchy.by_rank[rank]] = rank;
+  hierarchy.ancestor = first_elder_ancestors(elder_side, hierarchy.by_rank);
+  return hierarchy;
+}
+
+Regions cut(const Hierarchy &hierarchy, double delta)
+{
+  // The survivors are the first ranks; each other basin is in the region of its ancestor, which has an earlier rank.
+  const std::size_t basins = hierarchy.basin_count();
+  std::vector<std::uint32_t> survivor(basins);
+  std::vector<std::int64_t> cells;
+  for (const BasinId basin : hierarchy.by_rank) {
+    if (hierarchy.persistence[basin] >= delta) {
+      survivor[basin] = static_cast<std::uint32_t>(cells.size());
+      cells.push_back(0);
+    } else {
+      survivor[basin] = survivor[hierarchy.ancestor[basin]];
+    }
+    cells[survivor[basin]] += hierarchy.cell_counts[basin];
+  }
+
+  std::vector<std::uint32_t> order(cells.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return cells[a] != cells[b] ? cells[a] > cells[b] : hierarchy.by_rank[a] < hierarchy.by_rank[b];
+  });
+
+  Regions regions;
+  std::vector<RegionId> id(cells.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    id[order[i]] = static_cast<RegionId>(i + 1);
+    regions.maxima.push_back(hierarchy.by_rank[order[i]]);
+    regions.cell_counts.push_back(cells[order[i]]);
+  }
+  regions.of_basin.resize(basins);
+  std::transform(survivor.begin(), survivor.end(), regions.of_basin.begin(), [&](std::uint32_t s) { return id[s]; });
+  return regions;
+}
+
+float saliency(const Hierarchy &hierarchy, BasinId a, BasinId b)
+{
+  float largest = 0;
+  while (a != b) {
+    BasinId &younger = hierarchy.rank[a] > hierarchy.rank[b] ? a : b;
+    largest = hierarchy.persistence[younger];
+    younger = hierarchy.ancestor[younger];
+  }
+  return largest;
+}
+
+} // namespace volsurf

@@ -1,0 +1,63 @@
+// Which cells and faces are newborn at each sample of a row, and the maxima of I over cells: steps A and C.
+//
+// In: rows of I. Out: one bit pattern per sample. Guarantee: exactly the sample order of the merge (I descending, then
+// linear index ascending). Plain loops without branches, made for SIMD.
+#pragma once
+
+#include "volsurf/topology/cubical_complex.h"
+
+#include <array>
+#include <cstdint>
+
+namespace volsurf {
+
+/// Newborn cells of a star in bits 0 .. 7, newborn faces in bits 8 .. 19.
+using NewbornMask = std::uint32_t;
+
+constexpr unsigned newborn_cells(NewbornMask mask)
+{
+  return mask & 0xFFU;
+}
+
+constexpr unsigned newborn_faces(NewbornMask mask)
+{
+  return mask >> 8;
+}
+
+/// rows[3 * (dz + 1) + dy + 1] is the row of samples at (y + dy, z + dz). Each can be read from -1 to count.
+using StarRows = std::array<const float *, 9>;
+
+/// The pattern of each of the `count` samples of the middle row. Cells and faces that reach outside the volume get bits
+/// without a meaning, which BorderRule then sets.
+void newborn_masks(const StarRows &rows, std::int64_t count, NewbornMask *masks);
+
+/// out[x] = max over the 2 x 2 samples (x, x+1) of two rows, for 0 <= x < count - 1.
+void square_maxima(const float *row, const float *next_row, std::int64_t count, float *out);
+
+/// out[i] = max(a[i], b[i]).
+void pairwise_maxima(const float *a, const float *b, std::int64_t count, float *out);
+
+/// How the patterns of samples on the border of the volume are completed.
+///
+/// Cells and faces that are not in the volume must not join anything with `none`: they count as newborn, which makes
+/// each of them a part of its own that reaches nowhere. With `infinite` they belong to the exterior node: they are not
+/// newborn, and the faces between them, of value +inf, have joined them.
+class BorderRule {
+public:
+  BorderRule(const Index3 &samples, Exterior exterior);
+
+  /// The octants of the star of a sample that are cells of the volume.
+  unsigned real_cells(std::int64_t x, std::int64_t y, std::int64_t z) const;
+
+  NewbornMask complete(NewbornMask mask, unsigned real_cells) const
+  {
+    return (mask & keep_[real_cells]) | set_[real_cells];
+  }
+
+private:
+  Index3 samples_;
+  std::array<NewbornMask, 256> keep_{};
+  std::array<NewbornMask, 256> set_{};
+};
+
+} // namespace volsurf

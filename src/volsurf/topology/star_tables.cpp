@@ -1,0 +1,84 @@
+#include "volsurf/topology/star_tables.h"
+
+#include <memory>
+
+namespace volsurf {
+
+namespace {
+
+bool has_bit(unsigned set, int bit)
+{
+  return (set >> bit & 1U) != 0;
+}
+
+/// Breadth-first over the cube of octants, all octants that are not newborn at once.
+std::array<std::uint8_t, kOctants> layers_of(unsigned newborn_cells)
+{
+  std::array<std::uint8_t, kOctants> layer{};
+  for (int o = 0; o < kOctants; ++o)
+    layer[o] = has_bit(newborn_cells, o) ? kNoLayer : 0;
+  for (int hop = 0; hop < 3; ++hop)
+    for (int o = 0; o < kOctants; ++o)
+      for (int axis = 0; axis < 3; ++axis)
+        if (layer[o] == kNoLayer && layer[o ^ (1 << axis)] == hop)
+          layer[o] = static_cast<std::uint8_t>(hop + 1);
+  return layer;
+}
+
+std::array<std::uint8_t, kOctants> deep_axes_of(const std::array<std::uint8_t, kOctants> &layer)
+{
+  std::array<std::uint8_t, kOctants> axes{};
+  for (int o = 0; o < kOctants; ++o)
+    for (int axis = 2; axis >= 0; --axis)
+      if (layer[o] != kNoLayer && layer[o ^ (1 << axis)] + 1 == layer[o])
+        axes[o] = static_cast<std::uint8_t>(axis);
+  return axes;
+}
+
+std::array<std::uint8_t, kOctants> parts_of(unsigned newborn_faces)
+{
+  std::array<std::uint8_t, kOctants> part{};
+  for (int o = 0; o < kOctants; ++o)
+    part[o] = static_cast<std::uint8_t>(1U << o);
+  for (int f = 0; f < kStarFaces; ++f) {
+    if (has_bit(newborn_faces, f))
+      continue;
+    const auto joined = static_cast<std::uint8_t>(part[lower_octant(f)] | part[upper_octant(f)]);
+    for (int o = 0; o < kOctants; ++o)
+      if (has_bit(joined, o))
+        part[o] = joined;
+  }
+  return part;
+}
+
+std::unique_ptr<StarTables> make_tables()
+{
+  auto tables = std::make_unique<StarTables>();
+  for (unsigned cells = 0; cells < 256; ++cells) {
+    tables->layer[cells] = layers_of(cells);
+    tables->deep_axis[cells] = deep_axes_of(tables->layer[cells]);
+  }
+  for (unsigned faces = 0; faces < 4096; ++faces) {
+    const auto part = parts_of(faces);
+    tables->parts[faces] = part;
+    for (int o = 0; o < kOctants; ++o) {
+      const bool alone = part[o] == 1U << o;
+      const bool lowest_of_part = (part[o] & ((1U << o) - 1U)) == 0;
+      if (alone)
+        tables->isolated[faces] |= static_cast<std::uint8_t>(1U << o);
+      else if (lowest_of_part)
+        ++tables->joined_parts[faces];
+    }
+  }
+  return tables;
+}
+
+} // namespace
+
+const StarTables &star_tables()
+{
+  static const std::unique_ptr<StarTables> tables = make_tables();
+  return *tables;
+}
+
+} // namespace volsurf
