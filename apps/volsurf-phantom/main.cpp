@@ -1,0 +1,181 @@
+// volsurf-phantom: writes a synthetic T1-weighted head, and its truth, as NRRD.
+#include "volsurf/core/error.h"
+#include "volsurf/core/parallel.h"
+#include "volsurf/io/write_volume.h"
+#include "volsurf/phantom/noise.h"
+#include "volsurf/phantom/phantom.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <new>
+#include <sstream>
+
+namespace {
+
+using namespace volsurf;
+
+enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kOutput = 5 };
+
+struct Arguments {
+  std::vector<std::int64_t> size{128};
+  std::vector<double> spacing_mm;
+  std::string noise = "none";
+  double bias = PhantomOptions().bias;
+  std::int64_t anatomy = static_cast<std::int64_t>(PhantomOptions().anatomy);
+  std::int64_t seed = static_cast<std::int64_t>(NoiseOptions().seed);
+  std::string type = "uint16";
+  std::string output;
+  std::string truth;
+  int threads = 0;
+};
+
+void add_options(CLI::App &app, Arguments &arguments)
+{
+  app.add_option("-o,--output", arguments.output, "The scan, .nrrd")->required();
+  app.add_option("--truth", arguments.truth,
+                 "The tissue of each sample, .nrrd: 0 air, 1 scalp, 2 skull, 3 cerebrospinal fluid, 4 grey matter, "
+                 "5 white matter, 6 ventricle, 7 muscle");
+  app.add_option("--size", arguments.size, "Samples per axis: N or X,Y,Z (128)")->delimiter(',')->expected(1, 3);
+  app.add_option("--spacing", arguments.spacing_mm,
+                 "Millimetres between samples: S or X,Y,Z (so that the head, 204.8 mm, fits)")
+      ->delimiter(',')
+      ->expected(1, 3);
+  app.add_option("--noise", arguments.noise,
+                 "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
+                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1280; without % in "
+                 "intensity) (none)");
+  app.add_option("--bias", arguments.bias, "Bias field: a factor of 1 - B/2 to 1 + B/2, B in 0 .. 1")
+      ->capture_default_str();
+  app.add_option("--seed", arguments.seed, "Seed of the noise")->capture_default_str();
+  app.add_option("--anatomy", arguments.anatomy, "Seed of the folds and of the bias field")->capture_default_str();
+  app.add_option("--type", arguments.type,
+                 "uint16 (12 bits: 0 .. 4095), uint8 (scaled: 255 is intensity 1600) or float")
+      ->capture_default_str();
+  app.add_option("--threads", arguments.threads, "Threads; 0: all. They do not change the result")
+      ->capture_default_str();
+  app.set_version_flag("--version", "volsurf-phantom " VOLSURF_VERSION);
+}
+
+/// One number for all axes, or one for each.
+template <typename T> std::array<T, 3> per_axis(const std::vector<T> &values, const std::string &option)
+{
+  if (values.size() == 1)
+    return {values[0], values[0], values[0]};
+  if (values.size() != 3)
+    throw UsageError(option + ": " + std::to_string(values.size()) + " numbers, 1 or 3 are needed");
+  return {values[0], values[1], values[2]};
+}
+
+void fit_to_type(Volume &volume, PixelType type)
+{
+  if (type == PixelType::float32)
+    return;
+  constexpr float kWhiteOfUint8 = 1600; // above every noise-free intensity
+  const float scale = type == PixelType::uint8 ? 255 / kWhiteOfUint8 : 1;
+  for (float &sample : volume.samples)
+    sample = std::clamp(sample, 0.0F, kLargestIntensity) * scale;
+}
+
+PixelType parse_type(const std::string &name)
+{
+  const std::map<std::string, PixelType> types{
+      {"uint8", PixelType::uint8}, {"uint16", PixelType::uint16}, {"float", PixelType::float32}};
+  const auto found = types.find(name);
+  if (found == types.end())
+    throw UsageError("--type: \"" + name + "\" is not uint16, uint8 or float");
+  return found->second;
+}
+
+std::uint64_t not_negative(std::int64_t number, const std::string &option)
+{
+  if (number < 0)
+    throw UsageError(option + ": " + std::to_string(number) + ", must be 0 or more");
+  return static_cast<std::uint64_t>(number);
+}
+
+void check_outputs(const Arguments &arguments)
+{
+  require_nrrd_extension(arguments.output);
+  if (arguments.truth.empty())
+    return;
+  require_nrrd_extension(arguments.truth);
+  if (arguments.truth == arguments.output)
+    throw UsageError("--truth: " + arguments.truth + " is the file of --output too");
+}
+
+PhantomOptions phantom_options(const Arguments &arguments)
+{
+  PhantomOptions options;
+  options.size = per_axis(arguments.size, "--size");
+  options.spacing_mm = arguments.spacing_mm.empty() ? spacing_that_fits_the_head(options.size)
+                                                    : per_axis(arguments.spacing_mm, "--spacing");
+  options.bias = arguments.bias;
+  options.anatomy = not_negative(arguments.anatomy, "--anatomy");
+  options.with_truth = !arguments.truth.empty();
+  return options;
+}
+
+/// What made the volume, without what does not change it: threads and file names.
+std::string options_as_used(const Arguments &arguments, const PhantomOptions &phantom)
+{
+  std::ostringstream text;
+  const Index3 &size = phantom.size;
+  const Vec3 &spacing = phantom.spacing_mm;
+  text << "--size " << size[0] << ',' << size[1] << ',' << size[2] << " --spacing " << spacing[0] << ',' << spacing[1]
+       << ',' << spacing[2] << " --noise " << arguments.noise << " --bias " << arguments.bias << " --seed "
+       << arguments.seed << " --anatomy " << arguments.anatomy << " --type " << arguments.type;
+  return text.str();
+}
+
+void run(const Arguments &arguments)
+{
+  const PhantomOptions options = phantom_options(arguments);
+  NoiseOptions noise = parse_noise(arguments.noise, kTissueContrast);
+  noise.seed = not_negative(arguments.seed, "--seed");
+  const PixelType type = parse_type(arguments.type);
+  const auto threads = not_negative(arguments.threads, "--threads");
+  check_outputs(arguments);
+
+  const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION, "none", options_as_used(arguments, options)};
+  const ThreadLimit limit(static_cast<int>(threads));
+  Phantom phantom = make_head_phantom(options);
+  if (!phantom.truth.labels.empty())
+    write_labels(phantom.truth, arguments.truth, provenance);
+  phantom.truth.labels = {}; // a large volume's memory is better spent on writing it
+  add_noise(phantom.volume, noise);
+  fit_to_type(phantom.volume, type);
+  write_volume(phantom.volume, type, arguments.output, provenance);
+}
+
+int fail(const std::exception &error, ExitCode code)
+{
+  std::cerr << "volsurf-phantom: " << error.what() << '\n';
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  CLI::App app("Makes a head phantom: a T1-weighted scan of known anatomy, with noise by choice.", "volsurf-phantom");
+  Arguments arguments;
+  add_options(app, arguments);
+  try {
+    app.parse(argc, argv);
+    run(arguments);
+    return kDone;
+  } catch (const CLI::ParseError &error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  } catch (const UsageError &error) {
+    return fail(error, kUsage);
+  } catch (const OutputError &error) {
+    return fail(error, kOutput);
+  } catch (const std::bad_alloc &) {
+    return fail(std::runtime_error("not enough memory for a volume of this size"), kUnexpected);
+  } catch (const std::exception &error) {
+    return fail(error, kUnexpected);
+  }
+}

@@ -1,0 +1,128 @@
+#include "volsurf/phantom/phantom.h"
+
+#include "volsurf/core/error.h"
+#include "volsurf/core/parallel.h"
+#include "volsurf/phantom/random.h"
+#include "volsurf/phantom/shapes.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace volsurf {
+
+namespace {
+
+void check_options(const PhantomOptions &options)
+{
+  std::int64_t room = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(float));
+  for (const std::int64_t size : options.size) {
+    if (size < 2)
+      throw UsageError("size: " + std::to_string(size) + " samples on an axis, at least 2 are needed");
+    room /= size;
+  }
+  if (room < 1)
+    throw UsageError("size: more samples than this machine can count");
+  for (const double spacing : options.spacing_mm)
+    if (!(spacing > 0) || !std::isfinite(spacing))
+      throw UsageError("spacing: " + std::to_string(spacing) + " mm, must be greater than 0");
+  if (!(options.bias >= 0 && options.bias <= 1))
+    throw UsageError("bias: " + std::to_string(options.bias) + ", must lie in 0 .. 1");
+}
+
+Grid centred_grid(const PhantomOptions &options)
+{
+  Grid grid;
+  grid.size = options.size;
+  grid.spacing_mm = options.spacing_mm;
+  for (int axis = 0; axis < 3; ++axis)
+    grid.origin_mm[axis] = -0.5 * options.spacing_mm[axis] * static_cast<double>(options.size[axis] - 1);
+  return grid;
+}
+
+/// A smooth factor around 1: one slow wave along each axis, tabulated, and their sum.
+struct BiasField {
+  double amplitude;
+  std::array<std::vector<double>, 3> waves;
+};
+
+BiasField make_bias_field(const PhantomOptions &options, const Grid &grid)
+{
+  // Positions that make_fold_pattern, which shares the seed, does not use.
+  constexpr std::uint64_t kFirstPosition = 1000;
+  // Half a period or so across the head: slower than any anatomy.
+  constexpr double kRadiansPerMm = 0.02;
+  BiasField field{options.bias / 2, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double phase = 6.283185307179586 * random_uniform(options.anatomy, kFirstPosition + axis);
+    for (std::int64_t i = 0; i < grid.size[axis]; ++i) {
+      const double position = grid.origin_mm[axis] + grid.spacing_mm[axis] * static_cast<double>(i);
+      field.waves[axis].push_back(std::cos(kRadiansPerMm * position + phase) / 3);
+    }
+  }
+  return field;
+}
+
+double bias_at(const BiasField &field, const Index3 &i)
+{
+  const auto wave = [&](std::size_t axis) { return field.waves[axis][static_cast<std::size_t>(i[axis])]; };
+  return 1 + field.amplitude * (wave(0) + wave(1) + wave(2));
+}
+
+struct Mixture {
+  double intensity;
+  Tissue tissue;
+};
+
+/// Lays the bodies over each other from the outside inwards, each with the part of the voxel that it covers.
+Mixture mix(const BodyDistances &bodies, double voxel_mm)
+{
+  Mixture mixture{kTissueIntensity[0], Tissue::kAir};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const double covered = std::clamp(0.5 - bodies[i] / voxel_mm, 0.0, 1.0);
+    const Tissue tissue = kBodyTissues[i];
+    mixture.intensity += covered * (kTissueIntensity[static_cast<std::size_t>(tissue)] - mixture.intensity);
+    if (bodies[i] < 0)
+      mixture.tissue = tissue;
+  }
+  return mixture;
+}
+
+} // namespace
+
+Phantom make_head_phantom(const PhantomOptions &options)
+{
+  check_options(options);
+  Phantom phantom;
+  phantom.volume.grid = phantom.truth.grid = centred_grid(options);
+  const Grid &grid = phantom.volume.grid;
+  phantom.volume.samples.resize(static_cast<std::size_t>(grid.sample_count()));
+  if (options.with_truth)
+    phantom.truth.labels.resize(static_cast<std::size_t>(grid.sample_count()));
+
+  const FoldPattern folds = make_fold_pattern(options.anatomy);
+  const BiasField field = make_bias_field(options, grid);
+  const double voxel_mm = std::cbrt(voxel_volume_mm3(grid));
+  constexpr std::int64_t kRowsPerSlab = 16;
+  parallel_for_slabs(grid.size[1] * grid.size[2], kRowsPerSlab, [&](const Slab &rows) {
+    for (std::int64_t i = rows.begin * grid.size[0]; i < rows.end * grid.size[0]; ++i) {
+      const Index3 index{i % grid.size[0], i / grid.size[0] % grid.size[1], i / grid.size[0] / grid.size[1]};
+      const Vec3 point = index_to_world(
+          grid, {static_cast<double>(index[0]), static_cast<double>(index[1]), static_cast<double>(index[2])});
+      const Mixture mixture = mix(head_distances(folds, point), voxel_mm);
+      const auto sample = static_cast<std::size_t>(i);
+      phantom.volume.samples[sample] = static_cast<float>(mixture.intensity * bias_at(field, index));
+      if (options.with_truth)
+        phantom.truth.labels[sample] = static_cast<std::uint32_t>(mixture.tissue);
+    }
+  });
+  return phantom;
+}
+
+Vec3 spacing_that_fits_the_head(const Index3 &size)
+{
+  const double spacing = kHeadExtentMm / static_cast<double>(*std::min_element(size.begin(), size.end()));
+  return {spacing, spacing, spacing};
+}
+
+} // namespace volsurf

@@ -1,0 +1,108 @@
+// The program volsurf-phantom, run as a user runs it. VOLSURF_PHANTOM is its path.
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+#include <sys/wait.h>
+
+namespace {
+
+using volsurf::test::file_count;
+using volsurf::test::read_file;
+using volsurf::test::TemporaryFolder;
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program in `folder`; its own output goes to another one, so that what is left can be counted.
+Outcome run_phantom(const TemporaryFolder &folder, const std::string &arguments)
+{
+  const TemporaryFolder log;
+  const std::string command = "cd '" + folder.path().string() + "' && '" VOLSURF_PHANTOM "' " + arguments + " >'" +
+                              (log / "out").string() + "' 2>'" + (log / "err").string() + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(log / "out"), read_file(log / "err")};
+}
+
+void expect_refused(const std::string &arguments, int exit_code, const std::string &message)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome = run_phantom(folder, arguments);
+  EXPECT_EQ(outcome.exit_code, exit_code) << arguments;
+  EXPECT_NE(outcome.err.find(message), std::string::npos) << arguments << ": " << outcome.err;
+  EXPECT_EQ(file_count(folder.path()), 0) << arguments;
+}
+
+TEST(PhantomProgram, writes_scan_and_truth_in_silence)
+{
+  const TemporaryFolder folder;
+  const Outcome outcome = run_phantom(folder, "--size 16 -o scan.nrrd --truth truth.nrrd");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(read_file(folder / "scan.nrrd").rfind("NRRD000", 0), 0U);
+  EXPECT_EQ(read_file(folder / "truth.nrrd").rfind("NRRD000", 0), 0U);
+  EXPECT_EQ(file_count(folder.path()), 2);
+}
+
+TEST(PhantomProgram, same_options_make_the_same_file_for_any_number_of_threads)
+{
+  const TemporaryFolder folder;
+  const std::string options = "--size 24,20,22 --noise rician:5% --seed 3 ";
+  EXPECT_EQ(run_phantom(folder, options + "--threads 1 -o one.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, options + "--threads 2 -o two.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, options + "--seed 4 -o other.nrrd").exit_code, 2) << "an option given twice";
+  EXPECT_EQ(run_phantom(folder, "--size 24,20,22 --noise rician:5% --seed 4 -o other.nrrd").exit_code, 0);
+  EXPECT_EQ(read_file(folder / "one.nrrd"), read_file(folder / "two.nrrd"));
+  EXPECT_NE(read_file(folder / "one.nrrd"), read_file(folder / "other.nrrd"));
+}
+
+TEST(PhantomProgram, writes_each_pixel_type)
+{
+  const TemporaryFolder folder;
+  const auto header_of = [&](const std::string &type) {
+    EXPECT_EQ(run_phantom(folder, "--size 8 -o a.nrrd --type " + type).exit_code, 0);
+    return read_file(folder / "a.nrrd");
+  };
+  EXPECT_NE(header_of("uint8").find("type: unsigned char"), std::string::npos);
+  EXPECT_NE(header_of("uint16").find("type: unsigned short"), std::string::npos);
+  EXPECT_NE(header_of("float").find("type: float"), std::string::npos);
+}
+
+TEST(PhantomProgram, tells_its_version_and_its_options)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_phantom(folder, "--version").out.rfind("volsurf-phantom ", 0), 0U);
+  const Outcome help = run_phantom(folder, "--help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.out.find("--noise"), std::string::npos);
+}
+
+TEST(PhantomProgram, refuses_bad_usage)
+{
+  expect_refused("", 2, "--output is required");
+  expect_refused("-o a.nrrd --bogus", 2, "--bogus");
+  expect_refused("-o a.png", 2, "a.png");
+  expect_refused("-o a.nrrd --truth a.nrrd --size 8", 2, "--truth: a.nrrd");
+  expect_refused("-o a.nrrd --size text", 2, "--size");
+  expect_refused("-o a.nrrd --size 8,8", 2, "--size: 2 numbers");
+  expect_refused("-o a.nrrd --size 1", 2, "size: 1 samples");
+  expect_refused("-o a.nrrd --size 99999999", 2, "size: more samples");
+  expect_refused("-o a.nrrd --size 8 --spacing 0", 2, "spacing: 0");
+  expect_refused("-o a.nrrd --size 8 --noise salt:1", 2, "salt:1");
+  expect_refused("-o a.nrrd --size 8 --bias 2", 2, "bias: 2");
+  expect_refused("-o a.nrrd --size 8 --seed -1", 2, "--seed: -1");
+  expect_refused("-o a.nrrd --size 8 --threads -1", 2, "--threads: -1");
+  expect_refused("-o a.nrrd --size 8 --type int8", 2, "int8");
+}
+
+TEST(PhantomProgram, says_where_it_cannot_write)
+{
+  expect_refused("-o missing/a.nrrd --size 8", 5, "missing/a.nrrd");
+}
+
+} // namespace
