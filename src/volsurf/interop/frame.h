@@ -17,10 +17,10 @@ inline std::string frame_name(Frame frame)
   return frame == Frame::ras ? "RAS" : "LPS";
 }
 
-/// The same place, given in LPS, in `frame`.
+/// The same place, given in LPS, in `frame`. Subtracting from 0 avoids -0, which shows in text files.
 inline Point to_frame(const Point &lps, Frame frame)
 {
-  return frame == Frame::ras ? Point{-lps[0], -lps[1], lps[2]} : lps;
+  return frame == Frame::ras ? Point{0 - lps[0], 0 - lps[1], lps[2]} : lps;
 }
 
 } // namespace volsurf

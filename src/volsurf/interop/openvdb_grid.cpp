@@ -25,13 +25,12 @@ public:
 /// OpenVDB multiplies row vectors from the left, so the rows are the grid's axes and its origin.
 openvdb::math::Transform::Ptr index_to_world_transform(const Grid &grid, Frame frame)
 {
-  const double sign = frame == Frame::ras ? -1.0 : 1.0;
   openvdb::Mat4d matrix = openvdb::Mat4d::identity();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 3; ++column) {
-      const double lps = row < 3 ? grid.spacing_mm[row] * grid.direction[column][row]
-                                 : grid.origin_mm[static_cast<std::size_t>(column)];
-      matrix[row][column] = column < 2 ? sign * lps : lps;
+      const double lps = row < 3 ? grid.spacing_mm[row] * grid.direction[column][row] : grid.origin_mm[column];
+      const bool turned = frame == Frame::ras && column < 2;
+      matrix[row][column] = turned ? 0.0 - lps : lps + 0.0; // never -0
     }
   // The simplest map that fits, since some programs read only scales and translations.
   const openvdb::math::AffineMap map(matrix);

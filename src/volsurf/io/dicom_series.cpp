@@ -1,14 +1,16 @@
 #include "volsurf/io/dicom_series.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/io/dicom_file.h"
 #include "volsurf/io/itk_image_io.h"
 #include "volsurf/io/sha256.h"
 
 #include <algorithm>
 #include <cmath>
 #include <itkGDCMImageIO.h>
-#include <itkGDCMSeriesFileNames.h>
 #include <itkMetaDataObject.h>
+#include <map>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -21,49 +23,71 @@ namespace {
   throw InputError(path.string() + ": found " + found + "; allowed: " + allowed);
 }
 
-struct Series {
-  std::string uid;
-  std::vector<std::string> files; ///< in order of position
+struct Slice {
+  fs::path file;
+  Grid grid;
 };
 
-std::vector<Series> find_series(const fs::path &folder)
-{
-  const auto names = itk::GDCMSeriesFileNames::New();
-  names->SetUseSeriesDetails(true); // tells apart localizers and orientations that share a UID
-  names->SetRecursive(false);
-  std::vector<Series> all;
-  try {
-    names->SetDirectory(folder.string());
-    for (const std::string &uid : names->GetSeriesUIDs())
-      all.push_back({uid, names->GetFileNames(uid)});
-  } catch (const itk::ExceptionObject &error) {
-    throw InputError(folder.string() + ": the folder cannot be read as DICOM: " + one_line(error));
-  }
-  return all;
-}
+struct Series {
+  std::string uid;
+  std::string description;
+  std::vector<Slice> slices; ///< in order of position once sorted
+};
 
-std::string description(const Series &series)
+std::string text_of(const itk::ImageIOBase &io, const char *tag)
 {
-  const auto io = itk::GDCMImageIO::New();
   std::string text;
-  try {
-    io->SetFileName(series.files.front());
-    io->ReadImageInformation();
-    itk::ExposeMetaData<std::string>(io->GetMetaDataDictionary(), "0008|103e", text);
-  } catch (const itk::ExceptionObject &) {
-    return "unreadable";
-  }
+  itk::ExposeMetaData<std::string>(io.GetMetaDataDictionary(), tag, text);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\0'))
     text.pop_back();
-  return text.empty() ? "no description" : "\"" + text + "\"";
+  return text;
+}
+
+std::vector<fs::path> dicom_files(const fs::path &folder)
+{
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry &entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file() && begins_like_dicom(entry.path()))
+      files.push_back(entry.path());
+  if (error)
+    throw InputError(folder.string() + ": the folder cannot be read: " + error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Not by GDCMSeriesFileNames, which hands every file of the folder to GDCM, and GDCM aborts on some that are damaged.
+std::vector<Series> find_series(const fs::path &folder)
+{
+  std::map<std::string, Series> by_uid;
+  for (const fs::path &file : dicom_files(folder)) {
+    check_complete_dicom(file);
+    const auto io = itk::GDCMImageIO::New();
+    io->SetFileName(file.string());
+    try {
+      io->ReadImageInformation();
+    } catch (const itk::ExceptionObject &) {
+      continue; // a report, a directory: no image
+    }
+    const std::string uid = text_of(*io, "0020|000e");
+    Series &series = by_uid[uid];
+    series.uid = uid;
+    series.description = text_of(*io, "0008|103e");
+    series.slices.push_back({file, grid_of(*io)});
+  }
+  std::vector<Series> all;
+  for (auto &[uid, series] : by_uid)
+    all.push_back(std::move(series));
+  return all;
 }
 
 std::string list(const std::vector<Series> &all)
 {
   std::string text;
   for (const Series &series : all)
-    text += (text.empty() ? "" : ", ") + series.uid + " (" + description(series) + ", " +
-            std::to_string(series.files.size()) + (series.files.size() == 1 ? " file)" : " files)");
+    text += (text.empty() ? "" : ", ") + series.uid + " (" +
+            (series.description.empty() ? "no description" : "\"" + series.description + "\"") + ", " +
+            std::to_string(series.slices.size()) + (series.slices.size() == 1 ? " file)" : " files)");
   return text;
 }
 
@@ -71,7 +95,7 @@ Series choose_series(const fs::path &folder, const std::string &uid)
 {
   const std::vector<Series> all = find_series(folder);
   if (all.empty())
-    fail(folder, "a folder without DICOM files", "a folder with a DICOM series");
+    fail(folder, "a folder without DICOM images", "a folder with a DICOM series");
   std::vector<Series> matching;
   for (const Series &series : all) {
     if (series.uid == uid)
@@ -104,8 +128,9 @@ void stack(Grid &grid, const std::vector<Vec3> &positions, const fs::path &path)
   const Vec3 way = minus(positions.back(), positions.front());
   const double spacing_mm = length(way) / static_cast<double>(steps);
   constexpr double tolerance = 0.1; // of the spacing; positions in DICOM files are decimal and often rounded
-  if (!(spacing_mm > 0))
-    fail(path, "slices that share one position", "one slice per position (one time point)");
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (!(length(minus(positions[i], positions[i - 1])) > tolerance * spacing_mm))
+      fail(path, "two slices at one position", "one slice per position (one time point, one echo)");
   for (std::size_t i = 1; i < positions.size(); ++i) {
     const double step_mm = length(minus(positions[i], positions[i - 1]));
     if (std::abs(step_mm - spacing_mm) > tolerance * spacing_mm)
@@ -120,49 +145,74 @@ void stack(Grid &grid, const std::vector<Vec3> &positions, const fs::path &path)
     grid.direction[row][2] = way[row] / length(way);
 }
 
-/// The grid of the whole series, from the headers of its files.
-Grid series_grid(const std::vector<std::string> &files)
+void sort_by_position(std::vector<Slice> &slices)
 {
-  std::vector<Vec3> positions;
-  Grid first;
-  for (const std::string &file : files) {
-    const auto io = itk::GDCMImageIO::New();
-    read_information(*io, file, "DICOM");
-    const Grid slice = checked_grid(*io, file);
-    if (positions.empty())
-      first = slice;
-    if (slice.size != first.size)
-      fail(file, "a slice of another size than the first one's", "slices of one size");
-    positions.push_back(slice.origin_mm);
+  const Mat3 d = slices.front().grid.direction;
+  const Vec3 normal{d[1][0] * d[2][1] - d[2][0] * d[1][1], d[2][0] * d[0][1] - d[0][0] * d[2][1],
+                    d[0][0] * d[1][1] - d[1][0] * d[0][1]};
+  const auto height = [&normal](const Slice &slice) {
+    const Vec3 &at = slice.grid.origin_mm;
+    return at[0] * normal[0] + at[1] * normal[1] + at[2] * normal[2];
+  };
+  std::stable_sort(slices.begin(), slices.end(),
+                   [&height](const Slice &a, const Slice &b) { return height(a) < height(b); });
+}
+
+bool same_plane(const Grid &a, const Grid &b)
+{
+  constexpr double tolerance = 1e-3;
+  bool same = a.size == b.size;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    same = same && std::abs(a.spacing_mm[axis] - b.spacing_mm[axis]) < tolerance;
+    for (std::size_t row = 0; row < 3; ++row)
+      same = same && std::abs(a.direction[row][axis] - b.direction[row][axis]) < tolerance;
   }
-  if (files.size() > 1 && first.size[2] != 1)
-    fail(files.front(), "several files that hold several slices each", "one slice per file, or a single file");
-  if (files.size() > 1)
-    stack(first, positions, files.front());
-  return first;
+  return same;
+}
+
+/// The grid of the whole series, whose slices it puts in order.
+Grid series_grid(std::vector<Slice> &slices)
+{
+  sort_by_position(slices);
+  Grid grid = slices.front().grid;
+  if (slices.size() == 1)
+    return grid;
+  if (grid.size[2] != 1)
+    fail(slices.front().file, "one of several files that hold several slices each", "one slice per file, or one file");
+  std::vector<Vec3> positions;
+  for (const Slice &slice : slices) {
+    if (!same_plane(slice.grid, grid))
+      fail(slice.file, "a slice of another size, spacing or orientation than the series' first", "parallel slices");
+    positions.push_back(slice.grid.origin_mm);
+  }
+  stack(grid, positions, slices.front().file.parent_path());
+  return grid;
 }
 
 } // namespace
 
 InputVolume read_dicom_folder(const fs::path &folder, const ReadOptions &options)
 {
-  const std::vector<std::string> files = choose_series(folder, options.series_uid).files;
+  std::vector<Slice> slices = choose_series(folder, options.series_uid).slices;
   InputVolume input;
   Volume &volume = input.volume;
-  volume.grid = series_grid(files);
+  std::vector<fs::path> files;
+  volume.grid = series_grid(slices);
   check_axes(volume.grid, folder);
   check_memory(volume.grid, folder, options);
   volume.samples.resize(static_cast<std::size_t>(volume.grid.sample_count()));
-  const std::size_t samples_per_file = volume.samples.size() / files.size();
+  const std::size_t samples_per_file = volume.samples.size() / slices.size();
   float *next = volume.samples.data();
-  for (const std::string &file : files) {
+  for (const Slice &slice : slices) {
     const auto io = itk::GDCMImageIO::New();
-    read_information(*io, file, "DICOM");
-    read_samples(*io, file, next, samples_per_file);
+    read_information(*io, slice.file, "DICOM");
+    checked_grid(*io, slice.file);
+    read_samples(*io, slice.file, next, samples_per_file);
     input.pixel_type = pixel_type_name(*io);
     next += samples_per_file;
+    files.push_back(slice.file);
   }
-  const FileDigest digest = sha256_of_files({files.begin(), files.end()});
+  const FileDigest digest = sha256_of_files(files);
   input.source = {folder.string(), digest.bytes, digest.sha256};
   return input;
 }

@@ -92,7 +92,9 @@ std::string inflated_start(const std::filesystem::path &file, std::size_t count)
     throw InputError(file.string() + ": cannot be opened");
   std::string bytes(count, '\0');
   const int read = gzread(stream.get(), bytes.data(), static_cast<unsigned int>(count));
-  bytes.resize(read > 0 ? static_cast<std::size_t>(read) : 0);
+  if (read < 0)
+    throw InputError(file.string() + ": found damaged compressed data; allowed: an intact file");
+  bytes.resize(static_cast<std::size_t>(read));
   return bytes;
 }
 

@@ -12,7 +12,8 @@ namespace volsurf {
 /// stream is damaged or ends too soon.
 std::uint64_t inflated_size(const std::filesystem::path &file, std::uint64_t offset);
 
-/// The first `count` bytes of a file, unpacked if it is gzip compressed; fewer where it is shorter.
+/// The first `count` bytes of a file, unpacked if it is gzip compressed; fewer where it is shorter. Throws
+/// InputError.
 std::string inflated_start(const std::filesystem::path &file, std::size_t count);
 
 } // namespace volsurf

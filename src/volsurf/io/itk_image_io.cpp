@@ -148,19 +148,27 @@ void read_information(itk::ImageIOBase &io, const fs::path &path, const std::str
   }
 }
 
-Grid checked_grid(const itk::ImageIOBase &io, const fs::path &path)
+Grid grid_of(const itk::ImageIOBase &io)
 {
-  check_scalar(io, path);
-  check_dimensions(io, path);
   Grid grid;
-  for (unsigned int axis = 0; axis < 3; ++axis) {
+  const unsigned int axes = std::min(io.GetNumberOfDimensions(), 3U);
+  grid.size = {1, 1, 1};
+  for (unsigned int axis = 0; axis < axes; ++axis) {
     const std::vector<double> direction = io.GetDirection(axis);
     grid.size[axis] = static_cast<std::int64_t>(io.GetDimensions(axis));
     grid.spacing_mm[axis] = io.GetSpacing(axis);
     grid.origin_mm[axis] = io.GetOrigin(axis);
-    for (unsigned int row = 0; row < 3; ++row)
+    for (unsigned int row = 0; row < axes; ++row)
       grid.direction[row][axis] = direction.at(row);
   }
+  return grid;
+}
+
+Grid checked_grid(const itk::ImageIOBase &io, const fs::path &path)
+{
+  check_scalar(io, path);
+  check_dimensions(io, path);
+  const Grid grid = grid_of(io);
   check_geometry(grid, path);
   return grid;
 }

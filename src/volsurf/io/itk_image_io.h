@@ -33,7 +33,10 @@ std::string one_line(const itk::ExceptionObject &error);
 /// Reads the header. Throws InputError where ITK cannot.
 void read_information(itk::ImageIOBase &io, const std::filesystem::path &path, const std::string &format);
 
-/// Size and place of the image, in LPS, by its first three axes. Throws InputError unless it is a 3-D scalar image
+/// Size and place of the image, in LPS, by its first three axes.
+Grid grid_of(const itk::ImageIOBase &io);
+
+/// The same, but throws InputError unless it is a 3-D scalar image
 /// (further axes may have one sample) with positive spacing and axes that span space.
 Grid checked_grid(const itk::ImageIOBase &io, const std::filesystem::path &path);
 

@@ -24,14 +24,17 @@ fs::path folder_of(const fs::path &file)
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
+/// Also where the link's own target does not exist yet.
 fs::path follow_links(const fs::path &target)
 {
+  constexpr int most_links = 40;
+  fs::path destination = target;
   std::error_code error;
-  if (!fs::is_symlink(target, error))
-    return target;
-  const fs::path destination = fs::weakly_canonical(target, error);
-  if (error)
-    throw OutputError(target.string() + ": the link cannot be followed: " + error.message());
+  for (int i = 0; fs::is_symlink(destination, error); ++i) {
+    if (i == most_links)
+      throw OutputError(target.string() + ": the link leads to itself");
+    destination = destination.parent_path() / fs::read_symlink(destination); // "/" keeps an absolute path as it is
+  }
   return destination;
 }
 

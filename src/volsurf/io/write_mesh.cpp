@@ -1,6 +1,7 @@
 #include "volsurf/io/write_mesh.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/interop/quiet_vtk.h"
 #include "volsurf/interop/vtk_mesh.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <fstream>
 #include <utility>
 #include <vector>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -50,13 +50,10 @@ std::vector<std::pair<std::string, std::string>> labelled(const Provenance &prov
           {"Options", one_line(provenance.options)}};
 }
 
-/// Runs a VTK writer. Its messages go nowhere but into the exception: VTK would print them.
+/// Runs a VTK writer.
 template <typename Writer> void run(Writer &writer, const fs::path &file)
 {
-  vtkNew<vtkCallbackCommand> silence;
-  silence->SetCallback([](vtkObject *, unsigned long, void *, void *) {});
-  writer.AddObserver("ErrorEvent", silence);
-  writer.AddObserver("WarningEvent", silence);
+  const QuietVtk quiet;
   writer.SetFileName(file.c_str());
   const int success = writer.Write();
   const unsigned long code = writer.GetErrorCode();

@@ -1,0 +1,154 @@
+#include "volsurf/io/dicom_file.h"
+
+#include "volsurf/core/error.h"
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace volsurf {
+
+namespace {
+
+constexpr std::size_t kPreambleBytes = 128;
+constexpr std::uint32_t kUndefinedLength = 0xFFFFFFFF;
+constexpr std::uint32_t kTransferSyntax = 0x00020010;
+constexpr std::uint32_t kPixelData = 0x7FE00010;
+constexpr std::uint32_t kItem = 0xFFFEE000;
+constexpr std::uint32_t kItemEnd = 0xFFFEE00D;
+constexpr std::uint32_t kSequenceEnd = 0xFFFEE0DD;
+constexpr int kDeepestNesting = 64;
+
+class Malformed {};
+
+/// Steps over the elements of a data set (PS3.5, chapter 7).
+class Walker {
+public:
+  explicit Walker(const std::string &bytes) : bytes_(bytes) {}
+
+  void walk()
+  {
+    at_ = kPreambleBytes + 4;
+    while (at_ + 8 <= bytes_.size() && number(at_, 2) == 2)
+      skip_element(0);
+    if (transfer_syntax_ == "1.2.840.10008.1.2.1.99")
+      return; // deflated as a whole
+    explicit_types_ = transfer_syntax_ != "1.2.840.10008.1.2";
+    big_endian_ = transfer_syntax_ == "1.2.840.10008.1.2.2";
+    while (at_ < bytes_.size() && !pixel_data_seen_) // what follows is padding
+      skip_element(0);
+  }
+
+private:
+  void need(std::uint64_t count) const
+  {
+    if (count > bytes_.size() - at_)
+      throw Malformed();
+  }
+
+  std::uint32_t number(std::size_t offset, int count) const
+  {
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i) {
+      const auto byte = static_cast<unsigned char>(bytes_[offset + static_cast<std::size_t>(i)]);
+      value |= std::uint32_t{byte} << (8 * (big_endian_ ? count - 1 - i : i));
+    }
+    return value;
+  }
+
+  std::uint32_t tag() const
+  {
+    need(8);
+    return number(at_, 2) << 16 | number(at_ + 2, 2);
+  }
+
+  /// Reads the type and the length of the element at hand and steps to its value.
+  std::uint32_t enter_value(std::string &type)
+  {
+    static const std::set<std::string> long_types = {"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
+                                                     "SV", "UC", "UN", "UR", "UT", "UV"};
+    type = explicit_types_ ? bytes_.substr(at_ + 4, 2) : "";
+    const bool is_long = long_types.count(type) > 0;
+    if (is_long)
+      need(12);
+    const std::uint32_t length = is_long           ? number(at_ + 8, 4)
+                                 : explicit_types_ ? number(at_ + 6, 2)
+                                                   : number(at_ + 4, 4);
+    at_ += is_long ? 12 : 8;
+    return length;
+  }
+
+  void skip_element(int depth)
+  {
+    const std::uint32_t tag_here = tag();
+    std::string type;
+    const std::uint32_t length = enter_value(type);
+    if (length == kUndefinedLength) {
+      const bool outer = explicit_types_;
+      explicit_types_ = outer && type != "UN"; // the items of an unknown type are implicit
+      skip_items(depth + 1);
+      explicit_types_ = outer;
+    } else {
+      need(length);
+      if (tag_here == kTransferSyntax)
+        transfer_syntax_ = bytes_.substr(at_, length).c_str(); // without the padding zero
+      at_ += length;
+    }
+    pixel_data_seen_ = pixel_data_seen_ || (depth == 0 && tag_here == kPixelData);
+  }
+
+  void skip_items(int depth)
+  {
+    if (depth > kDeepestNesting)
+      throw Malformed();
+    for (std::uint32_t tag_here = tag(); tag_here != kSequenceEnd; tag_here = tag()) {
+      if (tag_here != kItem)
+        throw Malformed();
+      const std::uint32_t length = number(at_ + 4, 4);
+      at_ += 8;
+      if (length == kUndefinedLength) {
+        while (tag() != kItemEnd)
+          skip_element(depth);
+        at_ += 8;
+      } else {
+        need(length);
+        at_ += length;
+      }
+    }
+    at_ += 8;
+  }
+
+  const std::string &bytes_;
+  std::size_t at_ = 0;
+  bool explicit_types_ = true;
+  bool big_endian_ = false;
+  bool pixel_data_seen_ = false;
+  std::string transfer_syntax_;
+};
+
+} // namespace
+
+bool begins_like_dicom(const fs::path &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::string start(kPreambleBytes + 4, '\0');
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return stream && start.compare(kPreambleBytes, 4, "DICM") == 0;
+}
+
+void check_complete_dicom(const fs::path &file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    Walker(bytes).walk();
+  } catch (const Malformed &) {
+    throw InputError(file.string() + ": found a DICOM file that is damaged or ends too soon; allowed: complete files");
+  }
+}
+
+} // namespace volsurf
