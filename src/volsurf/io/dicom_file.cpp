@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kPreambleBytes = 128;
 constexpr std::uint32_t kUndefinedLength = 0xFFFFFFFF;
 constexpr std::uint32_t kTransferSyntax = 0x00020010;
+constexpr std::uint32_t kRows = 0x00280010;
 constexpr std::uint32_t kPixelData = 0x7FE00010;
 constexpr std::uint32_t kItem = 0xFFFEE000;
 constexpr std::uint32_t kItemEnd = 0xFFFEE00D;
@@ -30,17 +31,21 @@ class Walker {
 public:
   explicit Walker(const std::string &bytes) : bytes_(bytes) {}
 
-  void walk()
+  /// True where the data set has pixel data.
+  bool walk()
   {
     at_ = kPreambleBytes + 4;
     while (at_ + 8 <= bytes_.size() && number(at_, 2) == 2)
       skip_element(0);
     if (transfer_syntax_ == "1.2.840.10008.1.2.1.99")
-      return; // deflated as a whole
+      return true; // deflated as a whole: not looked into
     explicit_types_ = transfer_syntax_ != "1.2.840.10008.1.2";
     big_endian_ = transfer_syntax_ == "1.2.840.10008.1.2.2";
     while (at_ < bytes_.size() && !pixel_data_seen_) // what follows is padding
       skip_element(0);
+    if (rows_seen_ && !pixel_data_seen_)
+      throw Malformed();
+    return pixel_data_seen_;
   }
 
 private:
@@ -98,6 +103,7 @@ private:
         transfer_syntax_ = bytes_.substr(at_, length).c_str(); // without the padding zero
       at_ += length;
     }
+    rows_seen_ = rows_seen_ || (depth == 0 && tag_here == kRows);
     pixel_data_seen_ = pixel_data_seen_ || (depth == 0 && tag_here == kPixelData);
   }
 
@@ -126,6 +132,7 @@ private:
   std::size_t at_ = 0;
   bool explicit_types_ = true;
   bool big_endian_ = false;
+  bool rows_seen_ = false;
   bool pixel_data_seen_ = false;
   std::string transfer_syntax_;
 };
@@ -140,12 +147,12 @@ bool begins_like_dicom(const fs::path &file)
   return stream && start.compare(kPreambleBytes, 4, "DICM") == 0;
 }
 
-void check_complete_dicom(const fs::path &file)
+bool holds_complete_image(const fs::path &file)
 {
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   try {
-    Walker(bytes).walk();
+    return Walker(bytes).walk();
   } catch (const Malformed &) {
     throw InputError(file.string() + ": found a DICOM file that is damaged or ends too soon; allowed: complete files");
   }

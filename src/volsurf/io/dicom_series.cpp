@@ -61,13 +61,14 @@ std::vector<Series> find_series(const fs::path &folder)
 {
   std::map<std::string, Series> by_uid;
   for (const fs::path &file : dicom_files(folder)) {
-    check_complete_dicom(file);
+    if (!holds_complete_image(file))
+      continue;
     const auto io = itk::GDCMImageIO::New();
     io->SetFileName(file.string());
     try {
       io->ReadImageInformation();
     } catch (const itk::ExceptionObject &) {
-      continue; // a report, a directory: no image
+      continue; // pixels of a kind that GDCM does not know
     }
     const std::string uid = text_of(*io, "0020|000e");
     Series &series = by_uid[uid];

@@ -3,10 +3,8 @@
 #include "volsurf/core/error.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
-#include <regex>
 
 namespace fs = std::filesystem;
 
@@ -131,9 +129,13 @@ QuietItk::~QuietItk()
 
 std::string one_line(const itk::ExceptionObject &error)
 {
-  std::string text = error.GetDescription();
-  text = std::regex_replace(text, std::regex(R"(\b(ITK )?ERROR: *|\w*\(0x[0-9a-fA-F]+\): *)"), "");
-  text = std::regex_replace(text, std::regex(R"(\s+)"), " ");
+  std::istringstream words(error.GetDescription());
+  std::string text;
+  for (std::string word; words >> word;) {
+    const bool is_noise = word == "ITK" || word == "ERROR:" || word.find("(0x") != std::string::npos;
+    if (!is_noise)
+      text += (text.empty() ? "" : " ") + word;
+  }
   const auto last = text.find_last_not_of(" .");
   return last == std::string::npos ? "no reason given" : text.substr(0, last + 1);
 }

@@ -47,6 +47,8 @@ void check_destination(const fs::path &target, const fs::path &destination)
   if (!fs::is_directory(folder, error))
     throw OutputError(target.string() + ": " + folder.string() + " is not a folder");
   const fs::file_status status = fs::status(destination, error);
+  if (!fs::status_known(status))
+    fail(target, "the name cannot be used", error.value());
   if (!fs::exists(status))
     return;
   if (!fs::is_regular_file(status))
