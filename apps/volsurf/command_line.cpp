@@ -4,15 +4,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
+#include <utility>
 
 namespace volsurf {
 
 namespace {
 
-/// What CLI11 fills in; the rest goes straight into Settings.
+/// What CLI11 fills in; the rest goes straight into Settings. An empty text is an option that was not given.
 struct Texts {
   std::string delta;
   std::string keep;
@@ -50,13 +51,37 @@ Vec3 parse_seed(const std::string &text)
   return seed;
 }
 
-/// INPUT's name without its extension, .vtp, in the current folder.
+/// INPUT's name without its extension, .vtp, in the current folder. A folder's name has no extension, only dots.
 std::filesystem::path default_output(const std::filesystem::path &input)
 {
-  std::filesystem::path name = input.filename().empty() ? input.parent_path().filename() : input.filename();
-  if (name.extension() == ".gz")
+  std::error_code error;
+  if (std::filesystem::is_directory(input, error)) {
+    const auto folder = std::filesystem::canonical(input, error).filename();
+    return (folder.empty() ? "volume" : folder.string()) + ".vtp";
+  }
+  std::filesystem::path name = input.filename();
+  if (name.extension() == ".gz" || name.extension() == ".GZ")
     name.replace_extension();
   return name.replace_extension(".vtp");
+}
+
+/// An option whose values are documented words.
+template <typename Value>
+CLI::Option *add_word_option(CLI::App &app, const std::string &name, Value &value,
+                             const std::vector<std::pair<std::string, Value>> &words, const std::string &description)
+{
+  const auto parse = [name, &value, words](const std::string &text) {
+    const auto found = std::find_if(words.begin(), words.end(), [&](const auto &word) { return word.first == text; });
+    if (found != words.end()) {
+      value = found->second;
+      return;
+    }
+    std::string allowed;
+    for (const auto &word : words)
+      allowed += (allowed.empty() ? "" : ", ") + word.first;
+    throw UsageError(name + ": found \"" + text + "\"; allowed are " + allowed);
+  };
+  return app.add_option_function<std::string>(name, parse, description);
 }
 
 void add_field_options(CLI::App &app, Settings &settings, Texts &texts)
@@ -79,9 +104,9 @@ void add_topology_options(CLI::App &app, Settings &settings, Texts &texts)
   app.add_option("--delta", texts.delta, "Persistence that a boundary must reach, in intensity per mm")
       ->group("Topology")
       ->required();
-  app.add_option("--exterior", settings.exterior, "What lies behind the border: none or infinite [none]")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Exterior>{{"none", Exterior::none}, {"infinite", Exterior::infinite}}))
+  add_word_option<Exterior>(app, "--exterior", settings.exterior,
+                            {{"none", Exterior::none}, {"infinite", Exterior::infinite}},
+                            "What lies behind the border: none or infinite [none]")
       ->group("Topology")
       ->excludes("--paper");
 }
@@ -90,15 +115,13 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
 {
   app.add_option("--keep", texts.keep, "Components to keep, the largest first: 5%, a count, or all [all]")
       ->group("Selection");
-  app.add_option("--rank-by", settings.components.rank_by,
-                 "What makes a component large: faces, area or radius [faces]")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, RankBy>{{"faces", RankBy::faces}, {"area", RankBy::area}, {"radius", RankBy::radius}}))
+  add_word_option<RankBy>(app, "--rank-by", settings.components.rank_by,
+                          {{"faces", RankBy::faces}, {"area", RankBy::area}, {"radius", RankBy::radius}},
+                          "What makes a component large: faces, area or radius [faces]")
       ->group("Selection");
-  app.add_option("--surface", settings.surface,
-                 "all: between all regions; hull: between the background and the rest [all]")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SurfaceKind>{{"all", SurfaceKind::all}, {"hull", SurfaceKind::hull}}))
+  add_word_option<SurfaceKind>(app, "--surface", settings.surface,
+                               {{"all", SurfaceKind::all}, {"hull", SurfaceKind::hull}},
+                               "all: between all regions; hull: between the background and the rest [all]")
       ->group("Selection");
   app.add_option("--seed", texts.seeds,
                  "X,Y,Z in mm: only the boundary of the region that holds this point; repeatable")
@@ -121,8 +144,8 @@ void add_output_options(CLI::App &app, Settings &settings, Texts &texts)
                  "Output file, .vtp .stl .ply .obj or .vdb; repeatable [INPUT's name .vtp in this folder]")
       ->group("Output")
       ->allow_extra_args(false);
-  app.add_option("--frame", settings.frame, "World frame of outputs and seeds: lps or ras [lps]")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Frame>{{"lps", Frame::lps}, {"ras", Frame::ras}}))
+  add_word_option<Frame>(app, "--frame", settings.frame, {{"lps", Frame::lps}, {"ras", Frame::ras}},
+                         "World frame of outputs and seeds: lps or ras [lps]")
       ->group("Output");
   app.add_option("--labels", settings.labels, "Write the region of each cell as .nrrd")->group("Output");
   app.add_option("--report", texts.report, "Write a report as JSON; - for standard output")->group("Output");
@@ -136,7 +159,22 @@ void add_general_options(CLI::App &app, Settings &settings, Texts &texts)
   app.add_flag("-q,--quiet", texts.quiet, "Print errors only")->group("General");
   app.add_flag("-v,--verbose", texts.verbose, "Print what each stage found and took")->group("General")->excludes("-q");
   app.set_version_flag("--version", version_text())->group("General");
-  app.set_config("--config", "", "Read options from a file, as delta = 20")->group("General");
+  app.set_config("--config", "", "Read options from a file of lines such as delta = 20; the command line wins")
+      ->group("General");
+  app.allow_config_extras(false);
+  // Values hold commas (seed = 0,0,0) and blanks (output = my scan.vtp); what repeats is a line of its own.
+  app.get_config_formatter_base()->arrayDelimiter(';');
+}
+
+/// CLI11 takes an empty text for no value where an option has a default.
+void refuse_empty_values(CLI::App &app)
+{
+  const auto check = [](const std::string &text) {
+    return text.empty() ? std::string("found \"\"; allowed are values of one or more characters") : std::string();
+  };
+  for (CLI::Option *option : app.get_options())
+    if (option->get_items_expected_max() > 0)
+      option->check(check, "");
 }
 
 void finish(const Texts &texts, CommandLine &line)
@@ -166,10 +204,10 @@ EarlyExit early_exit_of(const CLI::App &app, const CLI::ParseError &error)
   const int code = app.exit(error, out, err);
   if (code == 0)
     return {0, out.str()};
-  std::string line = error.what();
-  for (char &c : line)
-    c = c == '\n' ? ' ' : c;
-  return {2, line + " (see volsurf --help)"};
+  if (dynamic_cast<const CLI::ConfigError *>(&error) != nullptr)
+    return {2, "--config " + app.get_config_ptr()->as<std::string>() +
+                   ": a line is not one of the options (see volsurf --help): " + error.what()};
+  return {2, std::string(error.what()) + " (see volsurf --help)"};
 }
 
 } // namespace
@@ -191,6 +229,7 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
   add_finishing_options(app, settings);
   add_output_options(app, settings, texts);
   add_general_options(app, settings, texts);
+  refuse_empty_values(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

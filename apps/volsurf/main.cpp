@@ -5,9 +5,9 @@
 
 #include "volsurf/pipeline/run.h"
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
 
 namespace {
@@ -19,22 +19,46 @@ extern "C" void note_interrupt(int)
   interrupted = true;
 }
 
+/// What the caller has turned off, as nohup does with SIGHUP, stays off.
+void catch_interrupts()
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, note_interrupt) == SIG_IGN)
+      std::signal(signal, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing, like a full disk
+}
+
+/// File names may hold line breaks, a message has none.
+std::string one_line(std::string text)
+{
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 int fail(int code, const std::string &message)
 {
-  std::cerr << "volsurf: " << message << '\n';
+  std::cerr << "volsurf: " << one_line(message) << '\n';
   return code;
+}
+
+void print(const std::string &text)
+{
+  std::cout << text << std::flush;
+  if (!std::cout)
+    throw volsurf::OutputError("standard output: cannot be written to (closed, or on a full disk)");
 }
 
 void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
 {
   for (const std::string &warning : report.warnings)
-    std::cerr << "volsurf: warning: " << warning << '\n';
+    std::cerr << "volsurf: warning: " << one_line(warning) << '\n';
   if (verbosity == volsurf::Verbosity::quiet)
     return;
   for (const auto &output : report.settings.outputs)
-    std::cerr << output.string() << ": " << report.mesh.triangles << " triangles in " << report.components_kept
-              << " of " << report.components << " components, between " << report.regions << " regions"
-              << (report.mesh.watertight ? ", watertight" : "") << '\n';
+    std::cerr << one_line(output.string()) << ": " << report.mesh.triangles << " triangles in "
+              << report.components_kept << " of " << report.components << " components, between " << report.regions
+              << " regions" << (report.mesh.watertight ? ", watertight" : "") << '\n';
 }
 
 void print_details(const volsurf::Report &report)
@@ -60,18 +84,19 @@ int run_command(const volsurf::CommandLine &line)
   volsurf::Report report;
   {
     volsurf::ProgressBar bar(line.verbosity != volsurf::Verbosity::quiet);
-    report = volsurf::run(line.settings, [&](std::string_view stage, double fraction) {
+    const auto show = [&](std::string_view stage, double fraction) {
       bar.show(stage, fraction);
       return !interrupted;
+    };
+    report = volsurf::run(line.settings, show, [&](const volsurf::Report &complete) {
+      bar.wipe();
+      if (line.report_to_stdout)
+        print(volsurf::to_json(complete));
     });
   }
   print_summary(report, line.verbosity);
   if (line.verbosity == volsurf::Verbosity::verbose)
     print_details(report);
-  if (line.report_to_stdout)
-    std::cout << volsurf::to_json(report) << std::flush;
-  if (!std::cout)
-    throw volsurf::OutputError("standard output: the report could not be written");
   return 0;
 }
 
@@ -79,15 +104,14 @@ int run_command(const volsurf::CommandLine &line)
 
 int main(int argc, char **argv)
 {
-  std::signal(SIGINT, note_interrupt);
-  std::signal(SIGTERM, note_interrupt);
+  catch_interrupts();
   try {
     const auto parsed = volsurf::parse_command_line(argc, argv);
     if (!parsed.early_exit)
       return run_command(parsed.command_line);
     if (parsed.early_exit->code != 0)
       return fail(parsed.early_exit->code, parsed.early_exit->text);
-    std::cout << parsed.early_exit->text;
+    print(parsed.early_exit->text);
     return 0;
   } catch (const volsurf::UsageError &error) {
     return fail(2, error.what());

@@ -20,8 +20,15 @@ ProgressBar::ProgressBar(bool wanted)
 
 ProgressBar::~ProgressBar()
 {
+  wipe();
+}
+
+void ProgressBar::wipe()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (!drawn_.empty())
     std::fprintf(stderr, "\r%*s\r", 60, "");
+  drawn_.clear();
 }
 
 void ProgressBar::show(std::string_view stage, double fraction)

@@ -16,6 +16,7 @@ public:
   ProgressBar &operator=(const ProgressBar &) = delete;
 
   void show(std::string_view stage, double fraction);
+  void wipe();
 
 private:
   bool enabled_;

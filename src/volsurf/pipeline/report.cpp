@@ -24,6 +24,11 @@ Json geometry_json(const Grid &grid)
           {"direction", grid.direction}};
 }
 
+Json path_or_null(const std::optional<std::filesystem::path> &path)
+{
+  return path ? Json(path->string()) : Json(nullptr);
+}
+
 Json options_json(const Report &report)
 {
   const Settings &settings = report.settings;
@@ -37,11 +42,16 @@ Json options_json(const Report &report)
                {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},
                {"surface", settings.surface == SurfaceKind::hull ? "hull" : "all"},
                {"seeds_mm", settings.seeds_mm},
+               {"keep", keep_text(settings.components.keep)},
+               {"rank_by", rank_by_text(settings.components.rank_by)},
                {"smooth", settings.smoothing.strength},
                {"iterations", report.smoothing.iterations},
                {"passband", report.smoothing.pass_band},
                {"frame", frame_name(settings.frame)},
                {"outputs", outputs},
+               {"labels", path_or_null(settings.labels)},
+               {"report", path_or_null(settings.report)},
+               {"series_uid", settings.series_uid.empty() ? Json(nullptr) : Json(settings.series_uid)},
                {"threads", report.threads}};
   return options;
 }

@@ -18,6 +18,15 @@ namespace volsurf {
 
 namespace {
 
+/// The one name of a file, whether it exists or not. A name that cannot be followed stays as it is, for the reader or
+/// the writer to refuse.
+std::filesystem::path place_of(const std::filesystem::path &file)
+{
+  std::error_code error;
+  const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+  return error ? file : place;
+}
+
 void require_distinct_files(const Settings &settings)
 {
   std::vector<std::filesystem::path> files = settings.outputs;
@@ -26,7 +35,7 @@ void require_distinct_files(const Settings &settings)
       files.push_back(*file);
   files.push_back(settings.input);
   for (auto &file : files)
-    file = std::filesystem::weakly_canonical(file);
+    file = place_of(file);
   for (auto file = files.begin(); file != files.end(); ++file)
     if (std::find(files.begin(), file, *file) != file)
       throw UsageError(file->string() + ": it is named twice; inputs and outputs must be different files");
@@ -38,6 +47,7 @@ void check_settings(const Settings &settings)
     throw UsageError("--delta: found " + std::to_string(settings.delta) + "; allowed are finite numbers above 0");
   if (!settings.seeds_mm.empty() && settings.surface == SurfaceKind::hull)
     throw UsageError("--seed and --surface hull exclude each other: a seed's region has a boundary of its own");
+  check_smoothing(settings.smoothing);
   for (const auto &output : settings.outputs)
     output_kind_of(output);
   if (settings.labels)
@@ -228,7 +238,7 @@ private:
 
 } // namespace
 
-Report run(const Settings &settings, const Progress &progress)
+Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish)
 {
   check_settings(settings);
   const ThreadLimit limit(settings.threads);
@@ -292,6 +302,8 @@ Report run(const Settings &settings, const Progress &progress)
   report.peak_memory_bytes = peak_memory_bytes();
   outputs.write_report(report);
   report_progress(progress, "write", 1);
+  if (publish)
+    publish(report);
   outputs.commit();
   return report;
 }

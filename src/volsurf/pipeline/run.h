@@ -4,10 +4,15 @@
 #include "volsurf/core/progress.h"
 #include "volsurf/pipeline/report.h"
 
+#include <functional>
+
 namespace volsurf {
 
 /// Reads the input, extracts its surfaces and writes the outputs: all of them or, where anything fails, none. Throws
 /// the errors of core/error.h.
-Report run(const Settings &settings, const Progress &progress = {});
+///
+/// `publish` gets the report when all files are complete and none has appeared yet; where it throws, none will.
+Report run(const Settings &settings, const Progress &progress = {},
+           const std::function<void(const Report &)> &publish = {});
 
 } // namespace volsurf

@@ -14,7 +14,17 @@ struct KeepText {
   void operator()(const KeepPercent &keep) const { out << keep.percent << '%'; }
 };
 
-const char *rank_name(RankBy rank_by)
+} // namespace
+
+std::string keep_text(const Keep &keep)
+{
+  std::ostringstream out;
+  out.precision(9);
+  std::visit(KeepText{out}, keep);
+  return out.str();
+}
+
+std::string rank_by_text(RankBy rank_by)
 {
   switch (rank_by) {
   case RankBy::area:
@@ -26,8 +36,6 @@ const char *rank_name(RankBy rank_by)
   }
   return "faces";
 }
-
-} // namespace
 
 std::string describe(const Settings &settings)
 {
@@ -43,9 +51,8 @@ std::string describe(const Settings &settings)
     out << " --surface hull";
   for (const Vec3 &seed : settings.seeds_mm)
     out << " --seed " << seed[0] << ',' << seed[1] << ',' << seed[2];
-  out << " --keep ";
-  std::visit(KeepText{out}, settings.components.keep);
-  out << " --rank-by " << rank_name(settings.components.rank_by);
+  out << " --keep " << keep_text(settings.components.keep) << " --rank-by "
+      << rank_by_text(settings.components.rank_by);
   out << " --smooth " << settings.smoothing.strength;
   if (settings.smoothing.iterations)
     out << " --iterations " << *settings.smoothing.iterations;

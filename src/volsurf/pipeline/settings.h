@@ -44,6 +44,10 @@ struct Settings {
 /// file names are left out, so that they do not show in the bytes.
 std::string describe(const Settings &settings);
 
+/// An option's value as a command line would give it: "all", "3" or "5%"; "faces", "area" or "radius".
+std::string keep_text(const Keep &keep);
+std::string rank_by_text(RankBy rank_by);
+
 /// The program and its version, "volsurf 1.0.0".
 std::string version_text();
 

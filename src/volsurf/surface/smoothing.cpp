@@ -24,16 +24,6 @@ namespace {
   throw UsageError(message.str());
 }
 
-void check_options(const SmoothingOptions &options)
-{
-  if (!(options.strength >= 0 && options.strength <= 1))
-    refuse("--smooth", options.strength, "0 to 1");
-  if (options.iterations && (*options.iterations < kFewestIterations || *options.iterations > 1000))
-    refuse("--iterations", *options.iterations, "15 to 1000");
-  if (options.pass_band && !(*options.pass_band >= kSmallestPassBand && *options.pass_band <= 2))
-    refuse("--passband", *options.pass_band, "0.001 to 2");
-}
-
 /// A point of a cap and the border plane that it must stay in.
 struct CapPoint {
   PointId point;
@@ -103,9 +93,19 @@ void require_finite(const Mesh &mesh)
 
 } // namespace
 
+void check_smoothing(const SmoothingOptions &options)
+{
+  if (!(options.strength >= 0 && options.strength <= 1))
+    refuse("--smooth", options.strength, "0 to 1");
+  if (options.iterations && (*options.iterations < kFewestIterations || *options.iterations > 1000))
+    refuse("--iterations", *options.iterations, "15 to 1000");
+  if (options.pass_band && !(*options.pass_band >= kSmallestPassBand && *options.pass_band <= 2))
+    refuse("--passband", *options.pass_band, "0.001 to 2");
+}
+
 SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions &options)
 {
-  check_options(options);
+  check_smoothing(options);
   if (options.strength == 0 || mesh.points.empty())
     return {};
   SmoothingResult result;

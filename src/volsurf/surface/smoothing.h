@@ -30,6 +30,9 @@ struct SmoothingResult {
 /// Drift of volume above which a result deserves a warning.
 constexpr double kLargestVolumeDrift = 0.05;
 
+/// Throws UsageError for options out of range.
+void check_smoothing(const SmoothingOptions &options);
+
 /// Moves the points of `mesh`. Points where three or four faces meet at an edge move along that curve only, its ends
 /// stay; points of caps stay in the border planes of `grid`. Throws UsageError for options out of range, Error where
 /// the filter gives points that are not finite. O(iterations * points).
