@@ -40,6 +40,18 @@ TEST(PendingOutput, AppearsUnderItsNameOnCommitOnly)
   EXPECT_EQ(file_count(folder.path()), 1);
 }
 
+TEST(PendingOutput, NamesTheTargetWhereAWriterNamesTheTemporaryFile)
+{
+  const TemporaryFolder folder;
+  const PendingOutput output(folder / "out.stl");
+  try {
+    output.write([](const fs::path &file) { throw OutputError(file.string() + ": no"); });
+    ADD_FAILURE();
+  } catch (const OutputError &error) {
+    EXPECT_EQ(error.what(), (folder / "out.stl").string() + ": no");
+  }
+}
+
 TEST(PendingOutput, LeavesNothingWhenAnExceptionPasses)
 {
   const TemporaryFolder folder;

@@ -109,6 +109,19 @@ PendingOutput::~PendingOutput()
     unlink(temporary_.c_str());
 }
 
+void PendingOutput::write(const std::function<void(const fs::path &)> &writer) const
+{
+  try {
+    writer(temporary_);
+  } catch (const OutputError &error) {
+    std::string message = error.what();
+    const auto at = message.find(temporary_.string());
+    if (at != std::string::npos)
+      message.replace(at, temporary_.string().size(), target_.string());
+    throw OutputError(message);
+  }
+}
+
 void PendingOutput::commit()
 {
   flush_to_disk(target_, temporary_);

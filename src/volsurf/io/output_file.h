@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 namespace volsurf {
 
-/// A result on its way to disk: write to temporary_path(), then commit(). Without commit() nothing is left behind,
+/// A result on its way to disk: write() to temporary_path(), then commit(). Without commit() nothing is left behind,
 /// and a file that was there before stays as it was.
 class PendingOutput {
 public:
@@ -25,6 +26,9 @@ public:
   /// The path that the user asked for.
   const std::filesystem::path &target() const { return target_; }
   const std::filesystem::path &temporary_path() const { return temporary_; }
+
+  /// Calls `writer` with the temporary path. Its OutputErrors then name the target, which the user knows.
+  void write(const std::function<void(const std::filesystem::path &)> &writer) const;
 
   /// Forces the bytes to disk and renames the file to the target. Throws OutputError.
   void commit();
