@@ -10,7 +10,7 @@ build_packages=(
   g++ cmake ninja-build
   libvtk9-dev libinsighttoolkit5-dev libopenvdb-dev libboost-iostreams-dev libimath-dev
   libvtkgdcm-tools libgdcm-tools # GDCM's CMake targets name their programs
-  libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev
+  libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev
 )
 test_packages=(
   libgtest-dev librapidcheck-dev libgudhi-dev libboost-dev libbenchmark-dev
