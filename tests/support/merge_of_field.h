@@ -6,6 +6,9 @@
 #include "volsurf/topology/region_merge.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 
 namespace volsurf::support {
 
@@ -17,7 +20,7 @@ inline PlaneSource planes_of(const Field &field)
   };
 }
 
-inline RegionMerge merge_of(const Field &field, Exterior exterior, std::int64_t planes_per_slab)
+inline RegionMerge merge_of(const Field &field, Exterior exterior, std::int64_t planes_per_slab = 2)
 {
   return merge_regions(field.size, planes_of(field), {exterior, planes_per_slab});
 }
@@ -32,6 +35,35 @@ inline std::vector<std::size_t> partition_of(const RegionMerge &merge, double de
   if (merge.hierarchy.exterior)
     region.push_back(regions.of_basin[*merge.hierarchy.exterior]);
   return canonical(region);
+}
+
+/// Each persistence, the next float above it, and the ends: the deltas at which a partition may change.
+inline std::vector<float> deltas_that_matter(const std::multiset<float> &persistences)
+{
+  std::set<float> deltas{std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()};
+  for (const float persistence : persistences) {
+    deltas.insert(persistence);
+    deltas.insert(std::nextafter(persistence, std::numeric_limits<float>::infinity()));
+  }
+  return {deltas.begin(), deltas.end()};
+}
+
+inline std::multiset<float> positive_persistences(const std::vector<TreeEdge> &tree)
+{
+  std::multiset<float> result;
+  for (const TreeEdge &edge : tree)
+    if (edge.persistence > 0)
+      result.insert(edge.persistence);
+  return result;
+}
+
+inline std::multiset<float> positive_persistences(const Hierarchy &hierarchy)
+{
+  std::multiset<float> result;
+  for (const float persistence : hierarchy.persistence)
+    if (persistence > 0 && std::isfinite(persistence))
+      result.insert(persistence);
+  return result;
 }
 
 } // namespace volsurf::support

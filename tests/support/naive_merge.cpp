@@ -120,18 +120,38 @@ std::vector<Face> all_faces(const Complex &complex)
   return faces;
 }
 
-/// Hops within star(v) from each node of it to the nearest one that is not newborn at v.
-std::map<std::size_t, int> layers_in_star(const Complex &complex, const std::vector<SampleId> &max_vertex,
-                                          const std::vector<Face> &faces, SampleId v)
+/// Per 3 * sample of the lowest corner + axis, the face's place in the list, -1 where there is none.
+std::vector<std::ptrdiff_t> places_of_faces(const Complex &complex, const std::vector<Face> &faces)
+{
+  std::vector<std::ptrdiff_t> place(3 * complex.field.values.size(), -1);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    place[static_cast<std::size_t>(3 * faces[i].lowest_corner + faces[i].axis)] = static_cast<std::ptrdiff_t>(i);
+  return place;
+}
+
+/// The faces that have v as a corner: their lowest corner is v or one lower on the axes that they extend along.
+std::vector<const Face *> star_of(const Complex &complex, const std::vector<Face> &faces,
+                                  const std::vector<std::ptrdiff_t> &place, SampleId v)
 {
   std::vector<const Face *> star;
-  for (const Face &face : faces) {
-    const Index3 low{face.lowest_corner % complex.size[0], face.lowest_corner / complex.size[0] % complex.size[1],
-                     face.lowest_corner / complex.size[0] / complex.size[1]};
-    const auto corners = face_corners(complex, low, face.axis);
-    if (std::count(corners.begin(), corners.end(), v) > 0)
-      star.push_back(&face);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 4; ++i) {
+      Index3 low{v % complex.size[0], v / complex.size[0] % complex.size[1], v / complex.size[0] / complex.size[1]};
+      low[(axis + 1) % 3] -= i & 1;
+      low[(axis + 2) % 3] -= i >> 1;
+      if (low[0] < 0 || low[1] < 0 || low[2] < 0)
+        continue;
+      const std::ptrdiff_t at = place[static_cast<std::size_t>(3 * complex.sample(low) + axis)];
+      if (at >= 0)
+        star.push_back(&faces[static_cast<std::size_t>(at)]);
+    }
+  return star;
+}
+
+/// Hops within star(v) from each node of it to the nearest one that is not newborn at v.
+std::map<std::size_t, int> layers_in_star(const std::vector<SampleId> &max_vertex,
+                                          const std::vector<const Face *> &star, SampleId v)
+{
   std::map<std::size_t, int> layer;
   constexpr int kFar = 1000;
   for (const Face *face : star)
@@ -150,10 +170,12 @@ std::map<std::size_t, int> layers_in_star(const Complex &complex, const std::vec
 std::vector<Face> faces_in_order_k(const Complex &complex, const std::vector<SampleId> &max_vertex)
 {
   std::vector<Face> faces = all_faces(complex);
+  const auto place = places_of_faces(complex, faces);
   std::map<SampleId, std::map<std::size_t, int>> layers;
   for (Face &face : faces) {
     if (layers.count(face.max_vertex) == 0)
-      layers[face.max_vertex] = layers_in_star(complex, max_vertex, faces, face.max_vertex);
+      layers[face.max_vertex] =
+          layers_in_star(max_vertex, star_of(complex, faces, place, face.max_vertex), face.max_vertex);
     const auto &star = layers[face.max_vertex];
     face.layer = std::min(star.at(face.a), star.at(face.b));
     face.steepest = std::max(complex.value(max_vertex, face.a), complex.value(max_vertex, face.b));
@@ -187,6 +209,25 @@ std::size_t node_count(const Field &field, Exterior exterior)
 {
   const auto cells = static_cast<std::size_t>((field.size[0] - 1) * (field.size[1] - 1) * (field.size[2] - 1));
   return exterior == Exterior::infinite ? cells + 1 : cells;
+}
+
+std::vector<OrderedFace> naive_order(const Field &field, Exterior exterior)
+{
+  const Complex complex(field, exterior);
+  std::vector<OrderedFace> order;
+  for (const Face &face : faces_in_order_k(complex, complex.max_vertices()))
+    order.push_back({3 * face.lowest_corner + face.axis, face.a, face.b, field.values[face.max_vertex]});
+  return order;
+}
+
+std::vector<float> naive_cell_values(const Field &field)
+{
+  const Complex complex(field, Exterior::none);
+  std::vector<float> values;
+  for (const SampleId vertex : complex.max_vertices())
+    if (vertex >= 0)
+      values.push_back(field.values[vertex]);
+  return values;
 }
 
 std::vector<TreeEdge> naive_tree(const Field &field, Exterior exterior)

@@ -23,6 +23,20 @@ struct TreeEdge {
   float persistence;
 };
 
+/// A face with its place in the order K.
+struct OrderedFace {
+  std::int64_t face; ///< as in TreeEdge
+  std::size_t a;
+  std::size_t b;
+  float value; ///< I(face)
+};
+
+/// All faces that join two nodes, in order K.
+std::vector<OrderedFace> naive_order(const Field &field, Exterior exterior);
+
+/// I(cell) of each cell.
+std::vector<float> naive_cell_values(const Field &field);
+
 /// The edges of D1, in order K. With Exterior::infinite the nodes are the cells and one more.
 std::vector<TreeEdge> naive_tree(const Field &field, Exterior exterior);
 
