@@ -20,7 +20,10 @@ tidy() {
 
 # ITK's headers, as Debian configured them, know no compiler but g++ and say so once per file, to no other effect; and
 # clang-tidy counts the warnings that it does not show.
-without_noise() { grep -v -E 'ITK.*Unsupported compiler|^ *# *error Unsupported compiler|^ *\^$|warnings? (treated|gen)|^$'; }
+without_noise() {
+  grep -v -E -e 'ITK.*Unsupported compiler' -e '^ *# *error Unsupported compiler' -e '^ *\^$' -e '^$' \
+    -e '^[0-9]+ (warnings?|errors?)( and [0-9]+ errors?)? (treated|generated)' -e '^Error while processing'
+}
 
 main() {
   cd "$(dirname "${BASH_SOURCE[0]}")/.."
