@@ -185,5 +185,19 @@ TEST(ReadDicom, RefusesEveryTruncationOfASlice)
   }
 }
 
+TEST(ReadDicom, RefusesMetaInformationOnWhichGdcmAborts)
+{
+  const TemporaryFolder folder;
+  write_series(folder.path(), {}, 3);
+  const fs::path file = folder / "T198.dcm";
+  const std::string whole = read_file(file);
+  for (const std::size_t at : {132U, 136U, 138U, 140U, 144U, 148U}) { // tag, type, length, value, next tag and type
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+    write_file(file, damaged);
+    EXPECT_TRUE(contains(refusal(folder.path()), "damaged or ends too soon")) << "byte " << at;
+  }
+}
+
 } // namespace
 } // namespace volsurf

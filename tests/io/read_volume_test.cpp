@@ -323,6 +323,22 @@ TEST(ReadVolume, RefusesADamagedHeader)
   refusal(folder / "b.mha");
 }
 
+TEST(ReadVolume, RefusesHeadersOnWhichTheLibrariesHangOrPrint)
+{
+  const TemporaryFolder folder;
+  for (const char *axes : {"-3", "0", "11"}) {
+    write_file(folder / "a.mha", std::string("ObjectType = Image\nNDims = ") + axes +
+                                     "\nBinaryData = True\nOffset = 0 0 0\nDimSize = 3 4 5\n"
+                                     "ElementType = MET_SHORT\nElementDataFile = LOCAL\n" +
+                                     ramp<std::int16_t>(kSamples));
+    EXPECT_TRUE(contains(refusal(folder / "a.mha"), "NDims")) << axes;
+  }
+  NiftiHeader header;
+  header.datatype = 5;
+  write_file(folder / "a.nii", header.bytes() + ramp<std::int16_t>(kSamples));
+  EXPECT_TRUE(contains(refusal(folder / "a.nii"), "damaged NIfTI header"));
+}
+
 TEST(ReadVolume, RefusesEveryTruncation)
 {
   const TemporaryFolder folder;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -199,6 +200,10 @@ DataLayout meta_layout(const fs::path &path)
     if (equals != std::string::npos)
       fields[lower_case(trimmed(line.substr(0, equals)))] = trimmed(line.substr(equals + 1));
   }
+  // MetaIO loops without end on a negative number and keeps arrays of 10.
+  const std::int64_t axes = integer_field(path, fields, "ndims");
+  if (axes < 1 || axes > 10)
+    fail(path, "NDims = " + std::to_string(axes) + " in the header", "3");
   const std::string data = field(fields, "elementdatafile");
   if (data.empty())
     fail(path, "a MetaImage header without ElementDataFile", "a complete header");
@@ -232,6 +237,14 @@ template <typename Value> Value value_at(const std::string &bytes, std::size_t o
 
 constexpr std::size_t kNifti1HeaderBytes = 348;
 
+/// The standard's data types. ITK's NIfTI library prints where it meets another.
+bool is_nifti_type(std::int16_t type)
+{
+  static const std::set<std::int16_t> types = {2,   4,   8,    16,   32,   64,   128,  256,
+                                               512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
+  return types.count(type) > 0;
+}
+
 DataLayout nifti_layout(const fs::path &path)
 {
   const std::string header = inflated_start(path, kNifti1HeaderBytes);
@@ -239,7 +252,8 @@ DataLayout nifti_layout(const fs::path &path)
   const auto axes = value_at<std::int16_t>(header, 40, swapped);
   const auto bits_per_sample = value_at<std::int16_t>(header, 72, swapped);
   const auto offset = value_at<float>(header, 108, swapped);
-  if (axes < 1 || axes > 7 || bits_per_sample < 1 || !(offset >= 0) || offset > 1e9F)
+  const auto type = value_at<std::int16_t>(header, 70, swapped);
+  if (axes < 1 || axes > 7 || !is_nifti_type(type) || bits_per_sample < 1 || !(offset >= 0) || offset > 1e9F)
     fail(path, "a damaged NIfTI header", "an intact file");
   std::uint64_t bytes = static_cast<std::uint64_t>(bits_per_sample) / 8;
   for (std::size_t axis = 1; axis <= static_cast<std::size_t>(axes); ++axis) {

@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::size_t kPreambleBytes = 128;
 constexpr std::uint32_t kUndefinedLength = 0xFFFFFFFF;
+constexpr std::uint32_t kMetaLength = 0x00020000;
 constexpr std::uint32_t kTransferSyntax = 0x00020010;
+constexpr std::uint32_t kSamplesPerPixel = 0x00280002;
 constexpr std::uint32_t kRows = 0x00280010;
 constexpr std::uint32_t kPixelData = 0x7FE00010;
 constexpr std::uint32_t kItem = 0xFFFEE000;
@@ -35,8 +37,7 @@ public:
   bool walk()
   {
     at_ = kPreambleBytes + 4;
-    while (at_ + 8 <= bytes_.size() && number(at_, 2) == 2)
-      skip_element(0);
+    walk_meta_information();
     if (transfer_syntax_ == "1.2.840.10008.1.2.1.99")
       return true; // deflated as a whole: not looked into
     explicit_types_ = transfer_syntax_ != "1.2.840.10008.1.2";
@@ -49,6 +50,28 @@ public:
   }
 
 private:
+  /// GDCM aborts where these elements are not as they must be, so they are checked one by one.
+  void walk_meta_information()
+  {
+    static const std::set<std::string> types = {"AE", "OB", "SH", "UI", "UL", "UR"};
+    need(12);
+    if (tag() != kMetaLength || bytes_.compare(at_ + 4, 2, "UL") != 0 || number(at_ + 6, 2) != 4)
+      throw Malformed();
+    const std::uint32_t length = number(at_ + 8, 4);
+    at_ += 12;
+    need(length);
+    const std::size_t end = at_ + length;
+    for (std::uint32_t previous = kMetaLength; at_ < end;) {
+      const std::uint32_t tag_here = tag();
+      if (tag_here <= previous || tag_here >> 16 != 2 || types.count(bytes_.substr(at_ + 4, 2)) == 0)
+        throw Malformed();
+      previous = tag_here;
+      skip_element(0);
+    }
+    if (at_ != end)
+      throw Malformed();
+  }
+
   void need(std::uint64_t count) const
   {
     if (count > bytes_.size() - at_)
@@ -101,6 +124,8 @@ private:
       need(length);
       if (tag_here == kTransferSyntax)
         transfer_syntax_ = bytes_.substr(at_, length).c_str(); // without the padding zero
+      if (tag_here == kSamplesPerPixel && (length != 2 || number(at_, 2) < 1 || number(at_, 2) > 4))
+        throw Malformed(); // GDCM aborts
       at_ += length;
     }
     rows_seen_ = rows_seen_ || (depth == 0 && tag_here == kRows);

@@ -6,6 +6,7 @@
 #include "volsurf/io/sha256.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <itkGDCMImageIO.h>
 #include <itkMetaDataObject.h>
@@ -34,11 +35,14 @@ struct Series {
   std::vector<Slice> slices; ///< in order of position once sorted
 };
 
+/// A text element on one line, without its padding.
 std::string text_of(const itk::ImageIOBase &io, const char *tag)
 {
   std::string text;
   itk::ExposeMetaData<std::string>(io.GetMetaDataDictionary(), tag, text);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\0'))
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  while (!text.empty() && text.back() == ' ')
     text.pop_back();
   return text;
 }
