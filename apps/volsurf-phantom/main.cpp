@@ -1,6 +1,7 @@
 // volsurf-phantom: writes a synthetic T1-weighted head, and its truth, as NRRD.
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/io/output_file.h"
 #include "volsurf/io/write_volume.h"
 #include "volsurf/phantom/noise.h"
 #include "volsurf/phantom/phantom.h"
@@ -8,16 +9,40 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <iostream>
 #include <map>
 #include <new>
+#include <optional>
 #include <sstream>
+#include <string_view>
 
 namespace {
 
 using namespace volsurf;
 
-enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kOutput = 5 };
+enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kOutput = 5, kInterrupted = 130 };
+
+std::atomic<bool> interrupted{false};
+
+extern "C" void note_interrupt(int)
+{
+  interrupted = true;
+}
+
+/// A signal that the caller ignores, as nohup does, stays ignored.
+void catch_signals()
+{
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, note_interrupt) == SIG_IGN)
+      std::signal(signal, SIG_IGN);
+}
+
+bool carry_on(std::string_view /*stage*/, double /*fraction*/)
+{
+  return !interrupted;
+}
 
 struct Arguments {
   std::vector<std::int64_t> size{128};
@@ -45,7 +70,7 @@ void add_options(CLI::App &app, Arguments &arguments)
       ->expected(1, 3);
   app.add_option("--noise", arguments.noise,
                  "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
-                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1280; without % in "
+                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1030; without % in "
                  "intensity) (none)");
   app.add_option("--bias", arguments.bias, "Bias field: a factor of 1 - B/2 to 1 + B/2, B in 0 .. 1")
       ->capture_default_str();
@@ -130,6 +155,18 @@ std::string options_as_used(const Arguments &arguments, const PhantomOptions &ph
   return text.str();
 }
 
+/// Calls write(temporary file). Its errors shall name the file that the user asked for. Throws Cancelled.
+template <typename Write> void write_to(const PendingOutput &output, const Write &write)
+{
+  report_progress(carry_on, "write", 0);
+  try {
+    write(output.temporary_path());
+  } catch (const OutputError &) {
+    throw OutputError(output.target().string() + ": cannot be written; is the disk full?");
+  }
+  report_progress(carry_on, "write", 1);
+}
+
 void run(const Arguments &arguments)
 {
   const PhantomOptions options = phantom_options(arguments);
@@ -139,15 +176,24 @@ void run(const Arguments &arguments)
   const auto threads = not_negative(arguments.threads, "--threads");
   check_outputs(arguments);
 
+  // Both files begin here: what cannot be written must not cost the time to make it.
+  PendingOutput scan(arguments.output);
+  std::optional<PendingOutput> truth;
+  if (!arguments.truth.empty())
+    truth.emplace(arguments.truth);
+
   const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION, "none", options_as_used(arguments, options)};
   const ThreadLimit limit(static_cast<int>(threads));
-  Phantom phantom = make_head_phantom(options);
-  if (!phantom.truth.labels.empty())
-    write_labels(phantom.truth, arguments.truth, provenance);
+  Phantom phantom = make_head_phantom(options, carry_on);
+  if (truth)
+    write_to(*truth, [&](const auto &file) { write_labels(phantom.truth, file, provenance); });
   phantom.truth.labels = {}; // a large volume's memory is better spent on writing it
   add_noise(phantom.volume, noise);
   fit_to_type(phantom.volume, type);
-  write_volume(phantom.volume, type, arguments.output, provenance);
+  write_to(scan, [&](const auto &file) { write_volume(phantom.volume, type, file, provenance); });
+  if (truth)
+    truth->commit();
+  scan.commit();
 }
 
 int fail(const std::exception &error, ExitCode code)
@@ -163,6 +209,7 @@ int main(int argc, char **argv)
   CLI::App app("Makes a head phantom: a T1-weighted scan of known anatomy, with noise by choice.", "volsurf-phantom");
   Arguments arguments;
   add_options(app, arguments);
+  catch_signals();
   try {
     app.parse(argc, argv);
     run(arguments);
@@ -173,6 +220,8 @@ int main(int argc, char **argv)
     return fail(error, kUsage);
   } catch (const OutputError &error) {
     return fail(error, kOutput);
+  } catch (const Cancelled &error) {
+    return fail(error, kInterrupted);
   } catch (const std::bad_alloc &) {
     return fail(std::runtime_error("not enough memory for a volume of this size"), kUnexpected);
   } catch (const std::exception &error) {

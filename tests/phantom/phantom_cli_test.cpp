@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 namespace {
 
@@ -103,6 +107,43 @@ TEST(PhantomProgram, refuses_bad_usage)
 TEST(PhantomProgram, says_where_it_cannot_write)
 {
   expect_refused("-o missing/a.nrrd --size 8", 5, "missing/a.nrrd");
+  expect_refused("-o a.nrrd --truth missing/b.nrrd --size 8", 5, "missing/b.nrrd");
+}
+
+TEST(PhantomProgram, says_so_before_the_work)
+{
+  // 1024^3 samples would take minutes, and more memory than a test should ask for.
+  expect_refused("-o missing/a.nrrd --size 1024", 5, "missing/a.nrrd");
+}
+
+TEST(PhantomProgram, leaves_the_old_file_where_the_new_one_fails)
+{
+  const TemporaryFolder folder;
+  volsurf::test::write_file(folder / "a.nrrd", "old");
+  EXPECT_EQ(run_phantom(folder, "-o a.nrrd --truth missing/b.nrrd --size 8").exit_code, 5);
+  EXPECT_EQ(read_file(folder / "a.nrrd"), "old");
+  EXPECT_EQ(file_count(folder.path()), 1);
+}
+
+TEST(PhantomProgram, interrupted_it_leaves_nothing)
+{
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL); // whatever the tests' own caller ignores
+    if (chdir(folder.path().c_str()) == 0)
+      execl(VOLSURF_PHANTOM, "volsurf-phantom", "--size", "384", "-o", "a.nrrd", "--truth", "b.nrrd", nullptr);
+    _exit(127);
+  }
+  for (int i = 0; i < 6000 && file_count(folder.path()) < 2; ++i) // until the work has begun
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(file_count(folder.path()), 2);
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(file_count(folder.path()), 0);
 }
 
 } // namespace

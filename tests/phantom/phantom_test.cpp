@@ -3,14 +3,17 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/gradient.h"
 #include "volsurf/phantom/noise.h"
 #include "volsurf/phantom/random.h"
+#include "volsurf/topology/region_merge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -92,9 +95,62 @@ template <typename Visit> void for_each_contact(const LabelVolume &truth, const 
       }
 }
 
-bool is_brain(Tissue tissue)
+/// The region that holds most of each tissue, in the field at sigma one voxel; a cell counts for the tissue at its
+/// lowest corner.
+struct MainRegions {
+  std::array<RegionId, kTissueCount> of_tissue;
+  std::size_t count; ///< of all regions
+
+  RegionId of(Tissue tissue) const { return of_tissue[static_cast<std::size_t>(tissue)]; }
+};
+
+MainRegions main_regions(const Phantom &phantom, double delta)
 {
-  return tissue == Tissue::kGrey || tissue == Tissue::kWhite || tissue == Tissue::kVentricle;
+  const EdgeField field(phantom.volume, {});
+  const RegionMerge merge = merge_regions(phantom.volume.grid.size, field.planes(), {});
+  const Regions regions = cut(merge.hierarchy, delta);
+  std::array<std::map<RegionId, std::int64_t>, kTissueCount> cells;
+  const Index3 &size = merge.cells.size;
+  std::size_t cell = 0;
+  for (std::int64_t z = 0; z < size[2]; ++z)
+    for (std::int64_t y = 0; y < size[1]; ++y)
+      for (std::int64_t x = 0; x < size[0]; ++x, ++cell)
+        ++cells[static_cast<std::size_t>(tissue_at(phantom.truth, x, y, z))]
+               [regions.of_basin[merge.cells.basins[cell]]];
+  MainRegions main{{}, regions.count()};
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    main.of_tissue[i] = std::max_element(cells[i].begin(), cells[i].end(), [](const auto &a, const auto &b) {
+                          return a.second < b.second;
+                        })->first;
+  return main;
+}
+
+/// Up to this delta two points, in mm, are in different regions.
+double largest_delta_between(const Phantom &phantom, const Vec3 &a, const Vec3 &b)
+{
+  const Grid &grid = phantom.volume.grid;
+  const EdgeField field(phantom.volume, {});
+  const RegionMerge merge = merge_regions(grid.size, field.planes(), {});
+  const auto basin_at = [&](const Vec3 &point) {
+    std::int64_t cell = 0;
+    for (const int axis : {2, 1, 0}) {
+      const double index = (point[axis] - grid.origin_mm[axis]) / grid.spacing_mm[axis];
+      cell = cell * merge.cells.size[axis] + static_cast<std::int64_t>(index);
+    }
+    return merge.cells.basins[static_cast<std::size_t>(cell)];
+  };
+  return saliency(merge.hierarchy, basin_at(a), basin_at(b));
+}
+
+void expect_the_brain_alone_to_stand_out(const Phantom &phantom, double delta)
+{
+  const MainRegions main = main_regions(phantom, delta);
+  const RegionId air = main.of(Tissue::kAir);
+  for (const Tissue outside : {Tissue::kScalp, Tissue::kSkull, Tissue::kCsf, Tissue::kMuscle})
+    EXPECT_EQ(main.of(outside), air) << "tissue " << static_cast<int>(outside) << " at delta " << delta;
+  EXPECT_NE(main.of(Tissue::kWhite), air) << "at delta " << delta;
+  EXPECT_EQ(main.of(Tissue::kGrey), main.of(Tissue::kWhite)) << "at delta " << delta;
+  EXPECT_NE(main.of(Tissue::kVentricle), air) << "at delta " << delta;
 }
 
 TEST(Random, is_the_published_splitmix64)
@@ -268,16 +324,75 @@ TEST(HeadPhantom, the_stem_and_the_neck_leave_through_the_bottom_only)
 TEST(HeadPhantom, samples_are_pure_inside_tissues_and_mixed_at_walls)
 {
   const Phantom &phantom = standard_phantom();
+  const Grid &grid = phantom.volume.grid;
   const auto [darkest, brightest] = std::minmax_element(kTissueIntensity.begin(), kTissueIntensity.end());
+  const auto plane = static_cast<std::size_t>(grid.size[0] * grid.size[1]);
   std::int64_t mixed = 0;
   for (std::size_t i = 0; i < phantom.volume.samples.size(); ++i) {
     const float intensity = phantom.volume.samples[i];
     ASSERT_GE(intensity, *darkest);
     ASSERT_LE(intensity, *brightest);
-    mixed += intensity != kTissueIntensity[phantom.truth.labels[i]];
+    const double height_mm = index_to_world(grid, {0, 0, static_cast<double>(i / plane)})[2];
+    const auto tissue = static_cast<Tissue>(phantom.truth.labels[i]);
+    mixed += intensity != static_cast<float>(tissue_signal(tissue, height_mm));
   }
   EXPECT_GT(mixed, phantom.volume.grid.sample_count() / 50);
   EXPECT_LT(mixed, phantom.volume.grid.sample_count() / 3);
+}
+
+TEST(HeadPhantom, signal_around_the_brain_fades_slowly_to_that_of_air)
+{
+  constexpr double kTopMm = kHeadExtentMm / 2;
+  for (std::size_t i = 0; i < kTissueIntensity.size(); ++i) {
+    const auto tissue = static_cast<Tissue>(i);
+    EXPECT_EQ(tissue_signal(tissue, kTopMm), kTissueIntensity[i]);
+    EXPECT_EQ(tissue_signal(tissue, -kTopMm), kTissueIntensity[is_brain(tissue) ? i : 0]);
+    for (double z = -kTopMm; z < kTopMm; z += 1) {
+      const double rise = tissue_signal(tissue, z + 1) - tissue_signal(tissue, z);
+      EXPECT_GE(rise, 0);
+      EXPECT_LE(rise, 8);
+    }
+  }
+}
+
+TEST(HeadPhantom, all_but_the_brain_leaks_into_the_air_at_delta_20)
+{
+  for (const std::uint64_t anatomy : {1U, 2U, 3U}) {
+    PhantomOptions options = small_options();
+    options.anatomy = anatomy;
+    expect_the_brain_alone_to_stand_out(make_head_phantom(options), 20);
+  }
+}
+
+TEST(HeadPhantom, at_128_samples_the_brain_stands_out_for_a_wide_range_of_delta)
+{
+  // Paths from the scalp to the air stay below 18 per mm, and none from the brain to the air below 40.
+  expect_the_brain_alone_to_stand_out(standard_phantom(), 18);
+  expect_the_brain_alone_to_stand_out(standard_phantom(), 40);
+}
+
+TEST(HeadPhantom, impulses_as_in_the_example_scan_do_not_change_that)
+{
+  Phantom phantom = make_head_phantom({});
+  add_noise(phantom.volume, {NoiseKind::kImpulse, 0.02, 1});
+  expect_the_brain_alone_to_stand_out(phantom, 20);
+  EXPECT_LT(main_regions(phantom, 20).count, 100U);
+}
+
+TEST(HeadPhantom, grey_and_white_matter_part_at_a_smaller_delta_than_brain_and_air)
+{
+  const Vec3 deep_grey{25, -8, 11};
+  const Vec3 white{35, 0, 30};
+  const double parted_up_to = largest_delta_between(standard_phantom(), deep_grey, white);
+  EXPECT_GT(parted_up_to, 15);
+  EXPECT_LT(parted_up_to, 25);
+  EXPECT_GT(largest_delta_between(standard_phantom(), {0, 26, -100}, {-100, -100, 100}), 40) << "stem and air";
+}
+
+TEST(HeadPhantom, making_one_can_be_stopped)
+{
+  const auto stop_half_way = [](std::string_view, double fraction) { return fraction < 0.5; };
+  EXPECT_THROW(make_head_phantom(small_options(16), stop_half_way), Cancelled);
 }
 
 TEST(HeadPhantom, the_skin_lies_at_the_half_way_intensity)

@@ -12,17 +12,22 @@ constexpr double kFarMm = 1000; // larger than any head: "not here"
 
 // Around the brain stands a moat of dark fluid and bone, everywhere wider than a few voxels of a 128^3 volume: where it
 // were thinner, the wall of the brain would have a weak point, and the brain would be one region with what is outside.
+// The scalp is thick enough that its middle lies clear of the gradients of both its walls, a weak path along which it
+// leaks into the air.
 constexpr double kCsfGapMm = 4.4;
-constexpr double kSkullMm = 6;
-constexpr double kScalpMm = 6;
+constexpr double kSkullMm = 5.5;
+constexpr double kScalpMm = 7;
 constexpr double kFatMm = 7; // below the skin, wherever soft tissue is thicker than the scalp
 
 constexpr double kFissureHalfWidthMm = 2.2;
-constexpr double kRibbonMm = 2.8;
+constexpr double kRibbonMm = 3.2;
 constexpr double kSulcusHalfWidthMm = 1.2;
-constexpr double kSulcusDepthMm = 10;
-constexpr double kFoldWavelengthMm = 22; // two sulci per wavelength
-constexpr double kFoldedShellMm = 22;    // folds and ribbon do not reach deeper than this
+constexpr double kSulcusDepthMm = 11;
+constexpr double kMouthMm = 2.2;    // by which each bank of a sulcus gives way at the hull, so that the fluid outside
+                                    // reaches into it along a weak gradient
+constexpr double kMouthDepthMm = 9; // below the hull, where the banks stand upright again
+constexpr double kFoldWavelengthMm = 27; // two sulci per wavelength
+constexpr double kFoldedShellMm = 24;    // folds and ribbon do not reach deeper than this
 
 /// The anatomy but its folds is symmetric: left and right share one side.
 Vec3 to_left_side(const Vec3 &p)
@@ -39,7 +44,7 @@ double upper_cerebrum(const Vec3 &p)
 
 double temporal_lobe(const Vec3 &left)
 {
-  return ellipsoid(left, {41, -7, -11}, {22, 47, 22});
+  return ellipsoid(left, {41, -2, -11}, {22, 51, 22});
 }
 
 /// What holds the hemispheres together, around the third ventricle.
@@ -149,11 +154,12 @@ SulcusSheet nearest_sulcus(const FoldPattern &folds, const Vec3 &p, double hull)
   return {std::abs(value) / std::hypot(steepness, 0.3 * typical), kSulcusDepthMm * room};
 }
 
-/// Distance to an upright sheet.
+/// Distance to an upright sheet that thickens towards the hull.
 double distance_to_slit(const SulcusSheet &sheet, double hull)
 {
   const double below = std::max(-hull - sheet.depth_mm, 0.0);
-  return std::sqrt(sheet.distance_mm * sheet.distance_mm + below * below);
+  const double mouth = kMouthMm * std::min(sheet.depth_mm / kSulcusDepthMm, 1.0) * smooth_step(-kMouthDepthMm, 0, hull);
+  return std::sqrt(sheet.distance_mm * sheet.distance_mm + below * below) - mouth;
 }
 
 /// Distance to the middle of the nearest sulcus, or of the fissure above the temporal lobe.
@@ -189,13 +195,13 @@ Cortex cerebellar_cortex(const Vec3 &p, double cerebrum)
   const double hull = cerebellum_hull(p);
   if (hull > 6)
     return {hull, hull};
-  constexpr double kLeafMm = 7.5;
+  constexpr double kLeafMm = 12;
   const double fan = 34 * std::atan2(p[2] + 35, std::max(p[1] - 12, 1.0));
   const double leaf = std::cos(2 * kPi * fan / kLeafMm);
   const double tree = std::cos(2 * kPi * fan / (2 * kLeafMm));
   const double below_cerebrum = kCsfGapMm + 0.4 - cerebrum;
-  const double grey = smooth_intersection(hull + 1.1 + 1.1 * leaf, below_cerebrum, 3);
-  return {grey, std::max(hull, below_cerebrum) + 7 + 3 * tree};
+  const double grey = smooth_intersection(hull + 2.2 + 2.2 * leaf, below_cerebrum, 3);
+  return {grey, grey + 4 + tree};
 }
 
 /// The fluid-filled space: around the brain, and down the spinal canal with the stem.

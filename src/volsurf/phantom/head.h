@@ -12,6 +12,11 @@ namespace volsurf {
 enum class Tissue : std::uint32_t { kAir, kScalp, kSkull, kCsf, kGrey, kWhite, kVentricle, kMuscle };
 constexpr int kTissueCount = 8;
 
+constexpr bool is_brain(Tissue tissue)
+{
+  return tissue == Tissue::kGrey || tissue == Tissue::kWhite || tissue == Tissue::kVentricle;
+}
+
 /// The bodies from the outside inwards. Where two overlap, the later one counts, so a point's tissue is that of the
 /// last body it lies in.
 constexpr std::array<Tissue, 8> kBodyTissues{Tissue::kScalp, Tissue::kMuscle, Tissue::kSkull, Tissue::kCsf,

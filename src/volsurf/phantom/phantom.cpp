@@ -69,28 +69,75 @@ double bias_at(const BiasField &field, const Index3 &i)
   return 1 + field.amplitude * (wave(0) + wave(1) + wave(2));
 }
 
+/// Intensity of each Tissue at one height.
+using TissueSignals = std::array<double, kTissueCount>;
+
+TissueSignals signals_at(double height_mm)
+{
+  TissueSignals signals{};
+  for (std::size_t i = 0; i < signals.size(); ++i)
+    signals[i] = tissue_signal(static_cast<Tissue>(i), height_mm);
+  return signals;
+}
+
 struct Mixture {
   double intensity;
   Tissue tissue;
 };
 
 /// Lays the bodies over each other from the outside inwards, each with the part of the voxel that it covers.
-Mixture mix(const BodyDistances &bodies, double voxel_mm)
+Mixture mix(const BodyDistances &bodies, const TissueSignals &signals, double voxel_mm)
 {
-  Mixture mixture{kTissueIntensity[0], Tissue::kAir};
+  Mixture mixture{signals[0], Tissue::kAir};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const double covered = std::clamp(0.5 - bodies[i] / voxel_mm, 0.0, 1.0);
     const Tissue tissue = kBodyTissues[i];
-    mixture.intensity += covered * (kTissueIntensity[static_cast<std::size_t>(tissue)] - mixture.intensity);
+    mixture.intensity += covered * (signals[static_cast<std::size_t>(tissue)] - mixture.intensity);
     if (bodies[i] < 0)
       mixture.tissue = tissue;
   }
   return mixture;
 }
 
+/// What the samples are made from.
+struct Recipe {
+  FoldPattern folds;
+  BiasField bias;
+  double voxel_mm;
+};
+
+/// Fills the row of samples along x that `row` counts.
+void fill_row(const Recipe &recipe, std::int64_t row, Phantom &phantom)
+{
+  const Grid &grid = phantom.volume.grid;
+  Index3 index{0, row % grid.size[1], row / grid.size[1]};
+  const auto point_of = [&grid](const Index3 &i) {
+    return index_to_world(grid, {static_cast<double>(i[0]), static_cast<double>(i[1]), static_cast<double>(i[2])});
+  };
+  const TissueSignals signals = signals_at(point_of(index)[2]);
+  auto sample = static_cast<std::size_t>(row * grid.size[0]);
+  for (; index[0] < grid.size[0]; ++index[0], ++sample) {
+    const Mixture mixture = mix(head_distances(recipe.folds, point_of(index)), signals, recipe.voxel_mm);
+    phantom.volume.samples[sample] = static_cast<float>(mixture.intensity * bias_at(recipe.bias, index));
+    if (!phantom.truth.labels.empty())
+      phantom.truth.labels[sample] = static_cast<std::uint32_t>(mixture.tissue);
+  }
+}
+
 } // namespace
 
-Phantom make_head_phantom(const PhantomOptions &options)
+double tissue_signal(Tissue tissue, double height_mm)
+{
+  // From the middle of the head to just above its lower end: a slope that is no wall at any delta of use.
+  constexpr double kWholeMm = 30;
+  constexpr double kGoneMm = -95;
+  const double air = kTissueIntensity[0];
+  const double whole = kTissueIntensity[static_cast<std::size_t>(tissue)];
+  const double part = is_brain(tissue) ? 1 : std::clamp((height_mm - kGoneMm) / (kWholeMm - kGoneMm), 0.0, 1.0);
+  return air + part * (whole - air);
+}
+
+Phantom make_head_phantom(const PhantomOptions &options, const Progress &progress)
 {
   check_options(options);
   Phantom phantom;
@@ -100,21 +147,14 @@ Phantom make_head_phantom(const PhantomOptions &options)
   if (options.with_truth)
     phantom.truth.labels.resize(static_cast<std::size_t>(grid.sample_count()));
 
-  const FoldPattern folds = make_fold_pattern(options.anatomy);
-  const BiasField field = make_bias_field(options, grid);
-  const double voxel_mm = std::cbrt(voxel_volume_mm3(grid));
+  const Recipe recipe{make_fold_pattern(options.anatomy), make_bias_field(options, grid),
+                      std::cbrt(voxel_volume_mm3(grid))};
+  const std::int64_t rows = grid.size[1] * grid.size[2];
   constexpr std::int64_t kRowsPerSlab = 16;
-  parallel_for_slabs(grid.size[1] * grid.size[2], kRowsPerSlab, [&](const Slab &rows) {
-    for (std::int64_t i = rows.begin * grid.size[0]; i < rows.end * grid.size[0]; ++i) {
-      const Index3 index{i % grid.size[0], i / grid.size[0] % grid.size[1], i / grid.size[0] / grid.size[1]};
-      const Vec3 point = index_to_world(
-          grid, {static_cast<double>(index[0]), static_cast<double>(index[1]), static_cast<double>(index[2])});
-      const Mixture mixture = mix(head_distances(folds, point), voxel_mm);
-      const auto sample = static_cast<std::size_t>(i);
-      phantom.volume.samples[sample] = static_cast<float>(mixture.intensity * bias_at(field, index));
-      if (options.with_truth)
-        phantom.truth.labels[sample] = static_cast<std::uint32_t>(mixture.tissue);
-    }
+  parallel_for_slabs(rows, kRowsPerSlab, [&](const Slab &slab) {
+    report_progress(progress, "phantom", static_cast<double>(slab.begin) / static_cast<double>(rows));
+    for (std::int64_t row = slab.begin; row < slab.end; ++row)
+      fill_row(recipe, row, phantom);
   });
   return phantom;
 }
