@@ -34,9 +34,9 @@ struct Phantom {
 };
 
 /// Noise-free intensity of a tissue at a height of the head's frame, before bias. As under a coil that was made
-/// for the brain, what lies around the brain fades downwards: at the lower end of the head, skin, muscle, bone and fluid
-/// are as dark as air. So the walls between them and the air have a weak point, and they are one region with it. The
-/// brain stem is not: it stays bright to the end, which is a simplification.
+/// for the brain, what lies around the brain fades downwards: at the lower end of the head, skin, muscle, bone and
+/// fluid are as dark as air. So the walls between them and the air have a weak point, and they are one region with it.
+/// The brain stem is not: it stays bright to the end, which is a simplification.
 double tissue_signal(Tissue tissue, double height_mm);
 
 /// The head, centred in the volume, x to the left, y to the back, z up (LPS). It needs kHeadExtentMm on each axis; a
