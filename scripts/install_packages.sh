@@ -17,7 +17,7 @@ test_packages=(
   libopenvdb-tools python3 python3-jsonschema
   clang-format clang-tidy git
 )
-render_packages=(python3-vtk9 xvfb xauth)
+render_packages=(python3-vtk9 xvfb xauth libgl1-mesa-dri) # without the last, Xvfb has no GLX
 
 usage() {
   cat <<'END'

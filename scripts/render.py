@@ -29,12 +29,11 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkImageAppend, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkIOImage import vtkImageReader2, vtkNIFTIImageReader, vtkNrrdReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkFiltersCore import vtkImageAppend
-from vtkmodules.vtkImagingCore import vtkImageShrink3D, vtkImageChangeInformation
+from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkImageShrink3D
 from vtkmodules.vtkImagingStatistics import vtkImageHistogramStatistics
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
