@@ -81,18 +81,19 @@ RC_GTEST_PROP(OrderLaws, T1FirstFaceOfACellIsATreeEdgeOfPersistenceZero, ())
 {
   const Field field = *random_field(5);
   const Exterior exterior = either_exterior();
-  const auto value = naive_cell_values(field);
+  const auto max_vertex = naive_max_vertices(field);
   std::map<std::int64_t, float> persistence;
   for (const TreeEdge &edge : naive_tree(field, exterior))
     persistence[edge.face] = edge.persistence;
   std::set<std::size_t> seen;
   for (const OrderedFace &face : naive_order(field, exterior))
     for (const std::size_t cell : {face.a, face.b}) {
-      if (cell == value.size() || !seen.insert(cell).second)
+      if (cell == max_vertex.size() || !seen.insert(cell).second)
         continue;
       // Where border faces join nothing, the face that attains the maximum may be one of those.
-      RC_ASSERT(face.value == value[cell] || (exterior == Exterior::none && face.value < value[cell]));
-      if (face.value == value[cell]) {
+      const float value = field.values[max_vertex[cell]];
+      RC_ASSERT(face.value == value || (exterior == Exterior::none && face.value < value));
+      if (face.value == value) {
         RC_ASSERT(persistence.count(face.face) == 1U);
         RC_ASSERT(persistence[face.face] == 0.0F);
       }

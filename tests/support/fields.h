@@ -101,7 +101,7 @@ enum class FieldKind {
   smooth,        ///< waves
   steps,         ///< waves, rounded down
   peaks,         ///< few high samples over low ones: many basins, which meet in the stars of the low ones
-  tied_peaks,    ///< the same in a few levels
+  tied_peaks,    ///< few high samples of a few levels over a plateau
   blocks,        ///< plateaus of 2 x 2 x 2 samples
   planted_stars, ///< samples just above most of their 26 neighbours: deep newborn cells
   constant,
@@ -144,7 +144,7 @@ inline float field_value(FieldKind kind, const Index3 &p, const std::array<doubl
   case FieldKind::peaks:
     return static_cast<float>(dice.between(0, 999)) / 64.0F - (high ? 16.0F : 48.0F);
   case FieldKind::tied_peaks:
-    return static_cast<float>(dice.between(0, 2)) - (high ? 4.0F : 8.0F);
+    return high ? -static_cast<float>(dice.between(0, 5)) : -6.0F;
   case FieldKind::constant:
     return -1.0F;
   default:

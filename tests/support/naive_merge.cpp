@@ -220,14 +220,11 @@ std::vector<OrderedFace> naive_order(const Field &field, Exterior exterior)
   return order;
 }
 
-std::vector<float> naive_cell_values(const Field &field)
+std::vector<SampleId> naive_max_vertices(const Field &field)
 {
-  const Complex complex(field, Exterior::none);
-  std::vector<float> values;
-  for (const SampleId vertex : complex.max_vertices())
-    if (vertex >= 0)
-      values.push_back(field.values[vertex]);
-  return values;
+  std::vector<SampleId> vertices = Complex(field, Exterior::none).max_vertices();
+  vertices.pop_back(); // the exterior's
+  return vertices;
 }
 
 std::vector<TreeEdge> naive_tree(const Field &field, Exterior exterior)

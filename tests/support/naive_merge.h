@@ -34,8 +34,8 @@ struct OrderedFace {
 /// All faces that join two nodes, in order K.
 std::vector<OrderedFace> naive_order(const Field &field, Exterior exterior);
 
-/// I(cell) of each cell.
-std::vector<float> naive_cell_values(const Field &field);
+/// Per cell its first corner in the sample order, whose I is the cell's.
+std::vector<SampleId> naive_max_vertices(const Field &field);
 
 /// The edges of D1, in order K. With Exterior::infinite the nodes are the cells and one more.
 std::vector<TreeEdge> naive_tree(const Field &field, Exterior exterior);
