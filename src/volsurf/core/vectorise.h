@@ -10,3 +10,26 @@
 #else
 #define VOLSURF_VECTORISE
 #endif
+
+/// On what such a function calls with lanes: it must become part of each version, not a function of the plain one.
+#define VOLSURF_LANES_INLINE __attribute__((always_inline)) inline
+
+namespace volsurf {
+
+/// Eight numbers at a time, at any address. Where there are no registers of that width the compiler takes two halves.
+/// Comparisons give masks, and mask ? a : b chooses lane by lane, so that one template serves single numbers, too.
+using Float8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+using UInt8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
+constexpr int kLanes = 8;
+
+/// The lanes, or the single number, that begin at an address.
+template <typename Lanes, typename Number> VOLSURF_LANES_INLINE const Lanes &lanes_at(const Number *address)
+{
+  return *reinterpret_cast<const Lanes *>(address);
+}
+template <typename Lanes, typename Number> VOLSURF_LANES_INLINE Lanes &lanes_at(Number *address)
+{
+  return *reinterpret_cast<Lanes *>(address);
+}
+
+} // namespace volsurf

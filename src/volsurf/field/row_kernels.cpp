@@ -9,47 +9,57 @@ namespace volsurf {
 
 namespace {
 
-/// Samples summed at a time: the sums stay in registers and the first-level cache.
-constexpr std::int64_t kStrip = 64;
+constexpr int kVectors = 4;                        // sums that are kept in registers at a time
+constexpr std::int64_t kStrip = kLanes * kVectors; // samples in them
+
+VOLSURF_LANES_INLINE const Float8 &vector_at(const float *row, std::int64_t i)
+{
+  return lanes_at<Float8>(row + i);
+}
 
 } // namespace
 
 VOLSURF_VECTORISE
 void smooth_row(KernelRows rows, const float *weights, int radius, std::int64_t count, float *out)
 {
-  for (std::int64_t begin = 0; begin < count; begin += kStrip) {
-    const std::int64_t length = count - begin < kStrip ? count - begin : kStrip;
-    float sums[kStrip];
-    const float *const centre = rows[radius] + begin;
-    for (std::int64_t i = 0; i < length; ++i)
-      sums[i] = weights[0] * centre[i];
-    for (int k = 1; k <= radius; ++k) {
-      const float *const low = rows[radius - k] + begin;
-      const float *const high = rows[radius + k] + begin;
-      const float weight = weights[k];
-      for (std::int64_t i = 0; i < length; ++i)
-        sums[i] += weight * (low[i] + high[i]);
-    }
-    for (std::int64_t i = 0; i < length; ++i)
-      out[begin + i] = sums[i];
+  for (std::int64_t i = 0; count < kStrip && i < count; ++i) {
+    float sum = weights[0] * rows[radius][i];
+    for (int k = 1; k <= radius; ++k)
+      sum += weights[k] * (rows[radius - k][i] + rows[radius + k][i]);
+    out[i] = sum;
+  }
+  for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
+    const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
+    Float8 sums[kVectors];
+    for (int v = 0; v < kVectors; ++v)
+      sums[v] = weights[0] * vector_at(rows[radius], at + kLanes * v);
+    for (int k = 1; k <= radius; ++k)
+      for (int v = 0; v < kVectors; ++v)
+        sums[v] +=
+            weights[k] * (vector_at(rows[radius - k], at + kLanes * v) + vector_at(rows[radius + k], at + kLanes * v));
+    for (int v = 0; v < kVectors; ++v)
+      lanes_at<Float8>(out + at + kLanes * v) = sums[v];
   }
 }
 
 VOLSURF_VECTORISE
 void derive_row(KernelRows rows, const float *weights, int radius, std::int64_t count, float *out)
 {
-  for (std::int64_t begin = 0; begin < count; begin += kStrip) {
-    const std::int64_t length = count - begin < kStrip ? count - begin : kStrip;
-    float sums[kStrip] = {};
-    for (int k = 1; k <= radius; ++k) {
-      const float *const low = rows[radius - k] + begin;
-      const float *const high = rows[radius + k] + begin;
-      const float weight = weights[k];
-      for (std::int64_t i = 0; i < length; ++i)
-        sums[i] += weight * (high[i] - low[i]);
-    }
-    for (std::int64_t i = 0; i < length; ++i)
-      out[begin + i] = sums[i];
+  for (std::int64_t i = 0; count < kStrip && i < count; ++i) {
+    float sum = 0;
+    for (int k = 1; k <= radius; ++k)
+      sum += weights[k] * (rows[radius + k][i] - rows[radius - k][i]);
+    out[i] = sum;
+  }
+  for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
+    const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
+    Float8 sums[kVectors] = {};
+    for (int k = 1; k <= radius; ++k)
+      for (int v = 0; v < kVectors; ++v)
+        sums[v] +=
+            weights[k] * (vector_at(rows[radius + k], at + kLanes * v) - vector_at(rows[radius - k], at + kLanes * v));
+    for (int v = 0; v < kVectors; ++v)
+      lanes_at<Float8>(out + at + kLanes * v) = sums[v];
   }
 }
 

@@ -11,7 +11,7 @@ namespace volsurf {
 
 namespace {
 
-constexpr BasinId kUnlabelled = 0xFFFFFFFFU;
+constexpr BasinId kUnknown = 0xFFFFFFFFU;
 
 /// Marks a label that is the number of a path out of its slab.
 constexpr BasinId kExitFlag = 0x80000000U;
@@ -21,6 +21,13 @@ bool is_exit(BasinId label)
   return (label & kExitFlag) != 0;
 }
 
+BasinId exit_label(std::size_t exit)
+{
+  if (exit >= kFirstStepCode - kExitFlag)
+    throw Error("the volume is too large for its slabs; split it");
+  return static_cast<BasinId>(exit) | kExitFlag;
+}
+
 /// A path of steps that leaves its slab.
 struct Exit {
   CellId target; ///< the first cell outside
@@ -28,13 +35,12 @@ struct Exit {
   BasinId basin; ///< known after resolve_exits()
 };
 
-/// Labels the cells begin .. end-1 as far as their steps stay among them.
+/// Replaces the step codes of the cells begin .. end-1 by labels.
 class SlabLabeller {
 public:
-  SlabLabeller(const CellGrid &cells, const Step *steps, CellId begin, CellId end, BasinId exterior, Basins &basins,
+  SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins,
                std::vector<Exit> &exits)
-      : steps_(steps), labels_(basins.labels.data()), begin_(begin), end_(end), exterior_(exterior), basins_(basins),
-        exits_(exits)
+      : labels_(basins.labels.data()), begin_(begin), end_(end), exterior_(exterior), basins_(basins), exits_(exits)
   {
     for (Step step = 0; step < kNoStep; ++step)
       offsets_[step] = cells.offset(step);
@@ -43,31 +49,25 @@ public:
   /// Returns the number of cells that belong to the exterior's basin.
   std::int64_t label_slab()
   {
-    std::fill(labels_ + begin_, labels_ + end_, kUnlabelled);
     label_roots();
-    std::int64_t exterior_cells = 0;
     for (CellId cell = begin_; cell < end_; ++cell) {
-      if (labels_[cell] != kUnlabelled)
+      if (!is_step_code(labels_[cell]))
         continue;
+      path_.clear();
       const BasinId label = follow(cell);
-      const auto length = static_cast<std::int64_t>(path_.size());
       for (const CellId on_path : path_)
         labels_[on_path] = label;
-      if (is_exit(label))
-        exits_[label & ~kExitFlag].cell_count += length;
-      else if (label == exterior_)
-        exterior_cells += length;
-      else
-        basins_.cell_counts[label] += length;
+      labels_[cell] = label;
+      count(label, 1 + static_cast<std::int64_t>(path_.size()));
     }
-    return exterior_cells;
+    return exterior_cells_;
   }
 
 private:
   void label_roots()
   {
     const auto &roots = basins_.roots;
-    const auto last = exterior_ == kUnlabelled ? roots.end() : roots.end() - 1;
+    const auto last = exterior_ == kUnknown ? roots.end() : roots.end() - 1;
     const auto first = std::lower_bound(roots.begin(), last, begin_);
     for (auto root = first; root != last && *root < end_; ++root) {
       const auto basin = static_cast<BasinId>(root - roots.begin());
@@ -76,33 +76,42 @@ private:
     }
   }
 
-  /// Collects in path_ the unlabelled cells from `cell` on and returns the label that they lead to.
+  /// The label that the steps from `cell` on lead to; collects the cells without one that lie between in path_.
   BasinId follow(CellId cell)
   {
-    path_.clear();
-    BasinId label = kUnlabelled;
-    while (label == kUnlabelled) {
-      path_.push_back(cell);
-      const Step step = steps_[cell];
-      if (step == kToExterior)
+    BasinId code = labels_[cell];
+    for (;;) {
+      if (code == step_code(kToExterior))
         return exterior_;
-      cell += offsets_[step];
+      cell += offsets_[step_of(code)];
       if (cell < begin_ || cell >= end_) {
-        exits_.push_back({cell, 0, kUnlabelled});
-        return static_cast<BasinId>(exits_.size() - 1) | kExitFlag;
+        exits_.push_back({cell, 0, kUnknown});
+        return exit_label(exits_.size() - 1);
       }
-      label = labels_[cell];
+      code = labels_[cell];
+      if (!is_step_code(code))
+        return code;
+      path_.push_back(cell);
     }
-    return label;
   }
 
-  const Step *steps_;
+  void count(BasinId label, std::int64_t cells)
+  {
+    if (is_exit(label))
+      exits_[label & ~kExitFlag].cell_count += cells;
+    else if (label == exterior_)
+      exterior_cells_ += cells;
+    else
+      basins_.cell_counts[label] += cells;
+  }
+
   BasinId *labels_;
   CellId begin_;
   CellId end_;
   BasinId exterior_;
   Basins &basins_;
   std::vector<Exit> &exits_;
+  std::int64_t exterior_cells_ = 0;
   std::array<std::int64_t, kNoStep> offsets_{};
   std::vector<CellId> path_;
 };
@@ -137,7 +146,7 @@ void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins
       chain.clear();
       Exit *last = &exit;
       BasinId basin = last->basin;
-      while (basin == kUnlabelled) {
+      while (basin == kUnknown) {
         chain.push_back(last);
         basin = basins.labels[last->target];
         if (is_exit(basin)) {
@@ -163,27 +172,28 @@ void relabel_exits(const Slab &slab, std::int64_t cells_per_plane, const std::ve
 Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, std::int64_t planes_per_slab)
 {
   Basins basins = collect_roots(sweep, exterior);
-  basins.labels = Buffer<BasinId>(cells.count());
+  basins.labels = std::move(sweep.codes);
   const bool has_exterior = exterior == Exterior::infinite;
-  const BasinId exterior_basin = has_exterior ? static_cast<BasinId>(basins.roots.size() - 1) : kUnlabelled;
+  const BasinId exterior_basin = has_exterior ? static_cast<BasinId>(basins.roots.size() - 1) : kUnknown;
 
   const auto slabs = static_cast<std::size_t>(slab_count(cells.size[2], planes_per_slab));
   SlabExits exits(slabs);
   std::vector<std::int64_t> exterior_cells(slabs);
   parallel_for_slabs(cells.size[2], planes_per_slab, [&](const Slab &slab) {
     const auto index = static_cast<std::size_t>(slab.index);
-    SlabLabeller labeller(cells, sweep.steps.data(), slab.begin * cells.plane, slab.end * cells.plane, exterior_basin,
-                          basins, exits[index]);
+    SlabLabeller labeller(cells, slab.begin * cells.plane, slab.end * cells.plane, exterior_basin, basins,
+                          exits[index]);
     exterior_cells[index] = labeller.label_slab();
   });
-  sweep.steps = {};
   for (const std::int64_t count : exterior_cells)
     if (has_exterior)
       basins.cell_counts[exterior_basin] += count;
 
   resolve_exits(exits, planes_per_slab * cells.plane, basins);
   parallel_for_slabs(cells.size[2], planes_per_slab, [&](const Slab &slab) {
-    relabel_exits(slab, cells.plane, exits[static_cast<std::size_t>(slab.index)], basins.labels.data());
+    const auto &slab_exits = exits[static_cast<std::size_t>(slab.index)];
+    if (!slab_exits.empty())
+      relabel_exits(slab, cells.plane, slab_exits, basins.labels.data());
   });
   return basins;
 }

@@ -26,8 +26,8 @@ struct SaddleEdge {
   BasinId b;
 };
 
-/// Empties `sweep.steps`' and the roots' memory when it is done with them. O(cells). Throws Error where there are more
-/// than 2^31 basins.
+/// Takes the sweep's codes, which become the labels, and its roots. O(cells). Throws Error where there are more than
+/// 2^31 basins.
 Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, std::int64_t planes_per_slab);
 
 /// The saddle faces between different basins, in the order of the sweep. Empties the sweep's saddles.

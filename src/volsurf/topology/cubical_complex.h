@@ -50,6 +50,24 @@ using Step = std::uint8_t;
 constexpr Step kNoStep = 6;     ///< the cell is the root of its basin
 constexpr Step kToExterior = 7; ///< across a border face, to the exterior node
 
+/// Labels of cells hold steps, too, until the basin is known: codes above all basins.
+constexpr BasinId kFirstStepCode = 0xFFFFFFF8U;
+
+constexpr BasinId step_code(Step step)
+{
+  return kFirstStepCode + step;
+}
+
+constexpr bool is_step_code(BasinId label)
+{
+  return label >= kFirstStepCode;
+}
+
+constexpr Step step_of(BasinId code)
+{
+  return static_cast<Step>(code - kFirstStepCode);
+}
+
 /// The step from octant `octant` across the star to its neighbour along `axis`.
 constexpr Step step_across(int octant, int axis)
 {

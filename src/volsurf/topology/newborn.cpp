@@ -77,23 +77,6 @@ void newborn_masks(const StarRows &rows, std::int64_t count, NewbornMask *masks)
   }
 }
 
-VOLSURF_VECTORISE
-void square_maxima(const float *row, const float *next_row, std::int64_t count, float *out)
-{
-  for (std::int64_t x = 0; x + 1 < count; ++x) {
-    const float a = row[x] > row[x + 1] ? row[x] : row[x + 1];
-    const float b = next_row[x] > next_row[x + 1] ? next_row[x] : next_row[x + 1];
-    out[x] = a > b ? a : b;
-  }
-}
-
-VOLSURF_VECTORISE
-void pairwise_maxima(const float *a, const float *b, std::int64_t count, float *out)
-{
-  for (std::int64_t i = 0; i < count; ++i)
-    out[i] = a[i] > b[i] ? a[i] : b[i];
-}
-
 BorderRule::BorderRule(const Index3 &samples, Exterior exterior) : samples_(samples)
 {
   for (unsigned real = 0; real < 256; ++real) {

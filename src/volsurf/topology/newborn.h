@@ -1,4 +1,4 @@
-// Which cells and faces are newborn at each sample of a row, and the maxima of I over cells: steps A and C.
+// Which cells and faces are newborn at each sample of a row: step C of the region merge.
 //
 // In: rows of I. Out: one bit pattern per sample. Guarantee: exactly the sample order of the merge (I descending, then
 // linear index ascending). Plain loops without branches, made for SIMD.
@@ -30,12 +30,6 @@ using StarRows = std::array<const float *, 9>;
 /// The pattern of each of the `count` samples of the middle row. Cells and faces that reach outside the volume get bits
 /// without a meaning, which BorderRule then sets.
 void newborn_masks(const StarRows &rows, std::int64_t count, NewbornMask *masks);
-
-/// out[x] = max over the 2 x 2 samples (x, x+1) of two rows, for 0 <= x < count - 1.
-void square_maxima(const float *row, const float *next_row, std::int64_t count, float *out);
-
-/// out[i] = max(a[i], b[i]).
-void pairwise_maxima(const float *a, const float *b, std::int64_t count, float *out);
 
 /// How the patterns of samples on the border of the volume are completed.
 ///

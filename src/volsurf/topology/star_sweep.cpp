@@ -1,11 +1,10 @@
 #include "volsurf/topology/star_sweep.h"
 
 #include "volsurf/core/parallel.h"
-#include "volsurf/topology/newborn.h"
+#include "volsurf/topology/field_window.h"
 #include "volsurf/topology/saddles.h"
 #include "volsurf/topology/star_tables.h"
 
-#include <algorithm>
 #include <atomic>
 #include <limits>
 
@@ -13,221 +12,154 @@ namespace volsurf {
 
 namespace {
 
-/// The planes of I around sample plane z, and the maxima over the cells below and above it.
-///
-/// Planes of cell maxima have one more row and column than there are samples: octant o of sample (x, y) stands at
-/// (x + (o & 1), y + (o >> 1 & 1)), and what lies outside the volume is +infinity, the value of the exterior.
-class FieldWindow {
-public:
-  FieldWindow(const Index3 &samples, const PlaneSource &source)
-      : samples_(samples), source_(source), cell_stride_(samples[0] + 1), outside_(padded_plane())
-  {
-    for (auto &plane : field_)
-      plane.resize(static_cast<std::size_t>(samples[0] * samples[1] + 2));
-    squares_.fill(outside_);
-    cells_.fill(outside_);
-  }
+Index3 cell_size_of(const Index3 &samples)
+{
+  return {samples[0] - 1, samples[1] - 1, samples[2] - 1};
+}
 
-  /// Makes ready for plane z, which is the first one or follows the one before.
-  void advance_to(std::int64_t z)
-  {
-    if (z != z_ + 1) {
-      if (z > 0)
-        load(z - 1);
-      load(z);
-      if (z > 0)
-        make_cells(z - 1);
-    }
-    if (z + 1 < samples_[2]) {
-      load(z + 1);
-      make_cells(z);
-    }
-    z_ = z;
-  }
+/// The octants of a star at hand.
+struct OctantRows {
+  std::array<CellRow, 4> rows; ///< of octants 2 * i and 2 * i + 1
 
-  /// The row of samples at (y + dy, z + dz), or the nearest one in the volume.
-  const float *row(std::int64_t y, std::int64_t dy, std::int64_t dz) const
-  {
-    const std::int64_t row = std::clamp<std::int64_t>(y + dy, 0, samples_[1] - 1);
-    const std::int64_t plane = std::clamp<std::int64_t>(z_ + dz, 0, samples_[2] - 1);
-    return field_[static_cast<std::size_t>(plane % 3)].data() + 1 + row * samples_[0];
-  }
-
-  /// The row of maxima at octants `o` with o >> 1 == `octant_row`.
-  const float *cell_row(std::int64_t y, int octant_row) const
-  {
-    const std::int64_t plane = z_ - 1 + (octant_row >> 1);
-    const bool inside = plane >= 0 && plane + 1 < samples_[2];
-    const std::vector<float> &maxima = inside ? cells_[static_cast<std::size_t>(plane % 2)] : outside_;
-    return maxima.data() + (y + (octant_row & 1)) * cell_stride_;
-  }
-
-private:
-  std::vector<float> padded_plane() const
-  {
-    const std::int64_t size = cell_stride_ * (samples_[1] + 1);
-    return std::vector<float>(static_cast<std::size_t>(size), std::numeric_limits<float>::infinity());
-  }
-
-  void load(std::int64_t z)
-  {
-    float *const plane = field_[static_cast<std::size_t>(z % 3)].data() + 1;
-    source_(z, plane);
-    float *const squares = squares_[static_cast<std::size_t>(z % 2)].data();
-    for (std::int64_t y = 0; y + 1 < samples_[1]; ++y) {
-      const float *const samples = plane + y * samples_[0];
-      square_maxima(samples, samples + samples_[0], samples_[0], squares + (y + 1) * cell_stride_ + 1);
-    }
-  }
-
-  void make_cells(std::int64_t z)
-  {
-    pairwise_maxima(squares_[0].data(), squares_[1].data(), static_cast<std::int64_t>(outside_.size()),
-                    cells_[static_cast<std::size_t>(z % 2)].data());
-  }
-
-  Index3 samples_;
-  const PlaneSource &source_;
-  std::int64_t cell_stride_;
-  std::int64_t z_ = -2;
-  std::array<std::vector<float>, 3> field_;   // one float of slack at each end, since stars read beyond their rows
-  std::array<std::vector<float>, 2> squares_; // maxima over 2 x 2 samples of a plane
-  std::array<std::vector<float>, 2> cells_;
-  std::vector<float> outside_;
+  float value(std::int64_t x, int octant) const { return rows[octant >> 1].values[x + (octant & 1)]; }
+  CornerCode corner(std::int64_t x, int octant) const { return rows[octant >> 1].corners[x + (octant & 1)]; }
 };
 
 /// Sweeps one slab.
 class SlabSweep {
 public:
-  SlabSweep(const Index3 &samples, const PlaneSource &field, Exterior exterior, const BorderRule &border, Step *steps,
-            SlabStars &stars)
-      : samples_(samples), cells_(Index3{samples[0] - 1, samples[1] - 1, samples[2] - 1}), exterior_(exterior),
-        border_(border), tables_(star_tables()), window_(samples, field), steps_(steps), stars_(stars),
-        masks_(static_cast<std::size_t>(samples[0]))
+  SlabSweep(const Index3 &samples, const PlaneSource &field, Exterior exterior, const BorderRule &border,
+            BasinId *codes, SlabStars &stars)
+      : samples_(samples), cells_(cell_size_of(samples)), exterior_(exterior), border_(border), tables_(star_tables()),
+        window_(samples, field, exterior), codes_(codes), stars_(stars), masks_(static_cast<std::size_t>(samples[0]))
   {
   }
 
   void sweep_plane(std::int64_t z)
   {
     window_.advance_to(z);
+    for (std::int64_t y = 0; z < cells_.size[2] && y < cells_.size[1]; ++y)
+      find_steps(y, z);
     for (std::int64_t y = 0; y < samples_[1]; ++y)
-      sweep_row(y, z);
+      find_saddles(y, z);
   }
 
 private:
-  void sweep_row(std::int64_t y, std::int64_t z)
+  void find_steps(std::int64_t y, std::int64_t z)
   {
-    StarRows rows{};
-    for (int i = 0; i < 9; ++i)
-      rows[i] = window_.row(y, i % 3 - 1, i / 3 - 1);
-    newborn_masks(rows, samples_[0], masks_.data());
-    for (int i = 0; i < 4; ++i)
-      cell_rows_[i] = window_.cell_row(y, i);
-    values_ = rows[4];
-
-    const CellId first_cell = cells_.id(-1, y - 1, z - 1);
-    const unsigned real = border_.real_cells(1, y, z) & border_.real_cells(samples_[0] - 2, y, z);
-    visit_border(0, y, z, first_cell);
-    if (real == 0xFF)
-      for (std::int64_t x = 1; x + 1 < samples_[0]; ++x)
-        visit(x, masks_[static_cast<std::size_t>(x)], 0xFF, first_cell + x);
-    else
-      for (std::int64_t x = 1; x + 1 < samples_[0]; ++x)
-        visit_border(x, y, z, first_cell + x);
-    visit_border(samples_[0] - 1, y, z, first_cell + samples_[0] - 1);
+    const CellRows rows = window_.cell_rows(y);
+    BasinId *const codes = codes_ + cells_.id(0, y, z);
+    first_steps(rows, cells_.size[0], codes);
+    for (std::int64_t x = 0; x < cells_.size[0]; ++x)
+      if (codes[x] == step_code(kNoStep))
+        codes[x] = step_code(step_among_newborn({x, y, z}, rows.centre.corners[x]));
   }
 
-  void visit_border(std::int64_t x, std::int64_t y, std::int64_t z, CellId cell)
+  /// The step of a cell whose neighbours across its first corner v are all newborn at v: by the table, or, where v is a
+  /// maximum, towards the first cell of its star, which is the root of a basin.
+  Step step_among_newborn(const Index3 &cell, CornerCode corner)
   {
-    const unsigned real = border_.real_cells(x, y, z);
-    visit(x, border_.complete(masks_[static_cast<std::size_t>(x)], real), real, cell);
-  }
-
-  float octant_value(std::int64_t x, int octant) const { return cell_rows_[octant >> 1][x + (octant & 1)]; }
-
-  /// `cell` is octant 0 of the star of sample x of the row.
-  void visit(std::int64_t x, NewbornMask mask, unsigned real, CellId cell)
-  {
-    const unsigned cells = newborn_cells(mask);
-    const unsigned faces = newborn_faces(mask);
-    const int parts = tables_.joined_parts[faces] + __builtin_popcount(tables_.isolated[faces] & ~cells & 0xFFU);
-    if (cells == 0xFF)
-      attach_to_root(x, real, cell);
-    else if ((cells & real) != 0)
-      attach_newborn(x, cells, real, cell);
-    if (parts > 1)
-      add_saddles(x, cells, faces, parts, real, cell);
-  }
-
-  /// v is a maximum: the first cell of its star is a root, and the others are attached to it, one axis at a time.
-  void attach_to_root(std::int64_t x, unsigned real, CellId cell)
-  {
+    Index3 v = cell;
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] += corner >> axis & 1;
+    const int octant = static_cast<int>(corner ^ 7);
+    const unsigned real = border_.real_cells(v[0], v[1], v[2]);
+    const unsigned newborn = newborn_cells_of(v, real);
+    if (newborn != 0xFF)
+      return step_across(octant, tables_.deep_axis[newborn][octant]);
     const int root = __builtin_ctz(real);
-    for (unsigned rest = real & (real - 1); rest != 0; rest &= rest - 1) {
-      const int octant = __builtin_ctz(rest);
-      steps_[cell_of(cell, octant)] = step_across(octant, __builtin_ctz(static_cast<unsigned>(octant ^ root)));
-    }
-    const CellId root_cell = cell_of(cell, root);
-    steps_[root_cell] = kNoStep;
-    stars_.roots.push_back(root_cell);
-    stars_.root_values.push_back(values_[x]);
+    if (octant != root)
+      return step_across(octant, __builtin_ctz(static_cast<unsigned>(octant ^ root)));
+    stars_.roots.push_back(cells_.id(cell[0], cell[1], cell[2]));
+    stars_.root_values.push_back(octant_rows(v[1], v[2]).value(v[0], octant));
+    return kNoStep;
   }
 
-  void attach_newborn(std::int64_t x, unsigned cells, unsigned real, CellId cell)
+  /// Cells outside the volume are none of the exterior node's, so they count as newborn (see BorderRule).
+  unsigned newborn_cells_of(const Index3 &v, unsigned real) const
   {
-    for (unsigned rest = cells & real; rest != 0; rest &= rest - 1) {
-      const int octant = __builtin_ctz(rest);
-      const int axis = first_axis(x, cells, octant);
-      first_axis_[octant] = static_cast<std::uint8_t>(axis);
-      steps_[cell_of(cell, octant)] = step_to(octant, octant ^ (1 << axis), real);
+    const OctantRows rows = octant_rows(v[1], v[2]);
+    unsigned newborn = ~real & 0xFFU;
+    for (int octant = 0; octant < kOctants; ++octant)
+      newborn |= static_cast<unsigned>(rows.corner(v[0], octant) == static_cast<CornerCode>(octant ^ 7)) << octant;
+    return newborn;
+  }
+
+  OctantRows octant_rows(std::int64_t y, std::int64_t z) const
+  {
+    return {{window_.octant_row(y, z, 0), window_.octant_row(y, z, 1), window_.octant_row(y, z, 2),
+             window_.octant_row(y, z, 3)}};
+  }
+
+  void find_saddles(std::int64_t y, std::int64_t z)
+  {
+    const StarRows rows = window_.star_rows(y);
+    newborn_masks(rows, samples_[0], masks_.data());
+    complete_border(y, z);
+    for (std::int64_t x = 0; x < samples_[0]; ++x) {
+      const NewbornMask mask = masks_[static_cast<std::size_t>(x)];
+      const int parts = tables_.parts_outside(newborn_cells(mask), newborn_faces(mask));
+      if (parts > 1)
+        add_saddles({x, y, z}, mask, parts, rows[4][x]);
     }
   }
 
-  /// The axis of the first face in K of a newborn octant: towards its largest neighbour that is not newborn, or, where
-  /// there is none, by the table.
-  int first_axis(std::int64_t x, unsigned cells, int octant) const
+  void complete_border(std::int64_t y, std::int64_t z)
+  {
+    const auto complete = [&](std::int64_t x) {
+      NewbornMask &mask = masks_[static_cast<std::size_t>(x)];
+      mask = border_.complete(mask, border_.real_cells(x, y, z));
+    };
+    complete(0);
+    complete(samples_[0] - 1);
+    if (y == 0 || z == 0 || y == samples_[1] - 1 || z == samples_[2] - 1)
+      for (std::int64_t x = 1; x + 1 < samples_[0]; ++x)
+        complete(x);
+  }
+
+  void add_saddles(const Index3 &v, NewbornMask mask, int parts, float value)
+  {
+    const unsigned real = border_.real_cells(v[0], v[1], v[2]);
+    Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU, {}, {}};
+    const OctantRows rows = octant_rows(v[1], v[2]);
+    for (int octant = 0; octant < kOctants; ++octant)
+      star.values[octant] = rows.value(v[0], octant);
+    for (unsigned rest = star.cells & real; rest != 0; rest &= rest - 1) {
+      const int octant = __builtin_ctz(rest);
+      star.first_axis[octant] = first_axis(star, octant);
+    }
+    const SaddleFaces saddles = find_saddle_faces(star, parts);
+    const CellId octant_0 = cells_.id(v[0] - 1, v[1] - 1, v[2] - 1);
+    for (int i = 0; i < saddles.count; ++i) {
+      stars_.saddles.push_back(code_of(saddles.faces[i], octant_0, real));
+      stars_.saddle_values.push_back(value);
+    }
+  }
+
+  /// The axis of the first face in K of a newborn octant, as first_steps and step_among_newborn decide it.
+  std::uint8_t first_axis(const Star &star, int octant) const
   {
     float best = -std::numeric_limits<float>::infinity();
-    int best_axis = -1;
-    for (int axis = 0; axis < 3; ++axis) {
+    std::uint8_t best_axis = tables_.deep_axis[star.cells][octant];
+    for (std::uint8_t axis = 0; axis < 3; ++axis) {
       const int neighbour = octant ^ (1 << axis);
-      if (cells >> neighbour & 1U)
-        continue;
-      const float value = octant_value(x, neighbour);
-      if (value > best) {
-        best = value;
+      if ((star.cells >> neighbour & 1U) == 0 && star.values[neighbour] > best) {
+        best = star.values[neighbour];
         best_axis = axis;
       }
     }
-    return best_axis >= 0 ? best_axis : tables_.deep_axis[cells][octant];
+    return best_axis;
   }
 
-  void add_saddles(std::int64_t x, unsigned cells, unsigned faces, int parts, unsigned real, CellId cell)
+  FaceCode code_of(int star_face, CellId octant_0, unsigned real) const
   {
-    Star star{cells, faces, exterior_ == Exterior::none ? real : 0xFFU, {}, first_axis_};
-    for (int octant = 0; octant < kOctants; ++octant)
-      star.values[octant] = octant_value(x, octant);
-    const SaddleFaces saddles = find_saddle_faces(star, parts);
-    for (int i = 0; i < saddles.count; ++i) {
-      int from = lower_octant(saddles.faces[i]);
-      int to = upper_octant(saddles.faces[i]);
-      if (!(real >> from & 1U))
-        std::swap(from, to);
-      stars_.saddles.push_back(static_cast<FaceCode>(cell_of(cell, from)) << 3 | step_to(from, to, real));
-      stars_.saddle_values.push_back(values_[x]);
-    }
-  }
-
-  static Step step_to(int octant, int neighbour, unsigned real)
-  {
-    if (!(real >> neighbour & 1U))
-      return kToExterior;
-    return step_across(octant, __builtin_ctz(static_cast<unsigned>(octant ^ neighbour)));
-  }
-
-  CellId cell_of(CellId octant_0, int octant) const
-  {
-    return octant_0 + (octant & 1) + (octant >> 1 & 1) * cells_.row + (octant >> 2) * cells_.plane;
+    int from = lower_octant(star_face);
+    int to = upper_octant(star_face);
+    if (!(real >> from & 1U))
+      std::swap(from, to);
+    const Step step = (real >> to & 1U) ? step_across(from, star_face / 4) : kToExterior;
+    const CellId cell = octant_0 + (from & 1) + (from >> 1 & 1) * cells_.row + (from >> 2) * cells_.plane;
+    return static_cast<FaceCode>(cell) << 3 | step;
   }
 
   Index3 samples_;
@@ -236,12 +168,9 @@ private:
   const BorderRule &border_;
   const StarTables &tables_;
   FieldWindow window_;
-  Step *steps_;
+  BasinId *codes_;
   SlabStars &stars_;
   std::vector<NewbornMask> masks_;
-  std::array<const float *, 4> cell_rows_{};
-  const float *values_ = nullptr;
-  std::array<std::uint8_t, kOctants> first_axis_{}; // of the newborn octants of the star at hand
 };
 
 } // namespace
@@ -249,13 +178,13 @@ private:
 StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior exterior, std::int64_t planes_per_slab,
                       const Progress &progress)
 {
-  const CellGrid cells(Index3{samples[0] - 1, samples[1] - 1, samples[2] - 1});
-  StarSweep sweep{Buffer<Step>(cells.count()), {}};
+  const CellGrid cells(cell_size_of(samples));
+  StarSweep sweep{Buffer<BasinId>(cells.count()), {}};
   sweep.slabs.resize(static_cast<std::size_t>(slab_count(samples[2], planes_per_slab)));
   const BorderRule border(samples, exterior);
   std::atomic<std::int64_t> planes_done{0};
   parallel_for_slabs(samples[2], planes_per_slab, [&](const Slab &slab) {
-    SlabSweep slab_sweep(samples, field, exterior, border, sweep.steps.data(),
+    SlabSweep slab_sweep(samples, field, exterior, border, sweep.codes.data(),
                          sweep.slabs[static_cast<std::size_t>(slab.index)]);
     for (std::int64_t z = slab.begin; z < slab.end; ++z) {
       slab_sweep.sweep_plane(z);

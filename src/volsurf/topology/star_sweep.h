@@ -4,9 +4,9 @@
 // edge of persistence 0), the roots of the forest that the steps make, and the saddle faces, the only ones of all other
 // faces that can be edges of the tree.
 //
-// Guarantees: exact for Kruskal in order K; each step is written once, by the star of the cell's first corner; roots
-// ascend by cell, saddle faces follow the order of their samples, and K within a star. Neither slabs nor threads can
-// change any of it. Per slab it holds three planes of I and four of maxima.
+// Guarantees: exact for Kruskal in order K; each step is written once; roots ascend by cell, saddle faces follow the
+// order of their samples, and K within a star. Neither slabs nor threads can change any of it. Per slab it holds four
+// planes of I and five of maxima.
 #pragma once
 
 #include "volsurf/core/buffer.h"
@@ -31,7 +31,7 @@ struct SlabStars {
 };
 
 struct StarSweep {
-  Buffer<Step> steps;           ///< per cell
+  Buffer<BasinId> codes;        ///< step_code() of each cell
   std::vector<SlabStars> slabs; ///< in ascending order
 };
 

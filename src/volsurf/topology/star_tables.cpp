@@ -1,5 +1,6 @@
 #include "volsurf/topology/star_tables.h"
 
+#include <bitset>
 #include <memory>
 
 namespace volsurf {
@@ -57,6 +58,7 @@ std::unique_ptr<StarTables> make_tables()
   for (unsigned cells = 0; cells < 256; ++cells) {
     tables->layer[cells] = layers_of(cells);
     tables->deep_axis[cells] = deep_axes_of(tables->layer[cells]);
+    tables->set_size[cells] = static_cast<std::uint8_t>(std::bitset<8>(cells).count());
   }
   for (unsigned faces = 0; faces < 4096; ++faces) {
     const auto part = parts_of(faces);
@@ -65,9 +67,9 @@ std::unique_ptr<StarTables> make_tables()
       const bool alone = part[o] == 1U << o;
       const bool lowest_of_part = (part[o] & ((1U << o) - 1U)) == 0;
       if (alone)
-        tables->isolated[faces] |= static_cast<std::uint8_t>(1U << o);
+        tables->part_counts[faces].isolated |= static_cast<std::uint8_t>(1U << o);
       else if (lowest_of_part)
-        ++tables->joined_parts[faces];
+        ++tables->part_counts[faces].joined;
     }
   }
   return tables;

@@ -24,11 +24,22 @@ struct StarTables {
   /// parts[faces][o]: the set of octants that are joined to octant o by faces that are not newborn.
   std::array<std::array<std::uint8_t, kOctants>, 4096> parts;
 
-  /// joined_parts[faces]: the number of those sets that have two or more octants. None of these is newborn.
-  std::array<std::uint8_t, 4096> joined_parts;
+  /// part_counts[faces]: what is needed to count the parts that reach outside the star.
+  struct PartCount {
+    std::uint8_t joined;   ///< parts of two or more octants; none of these is newborn
+    std::uint8_t isolated; ///< the set of octants that are a part of their own; they may be newborn or not
+  };
+  std::array<PartCount, 4096> part_counts;
 
-  /// isolated[faces]: the octants that are a part of their own. They may be newborn or not.
-  std::array<std::uint8_t, 4096> isolated;
+  /// set_size[set]: the number of octants in a set.
+  std::array<std::uint8_t, 256> set_size;
+
+  /// The number of parts that reach outside, which have a cell that is not newborn.
+  int parts_outside(unsigned cells, unsigned faces) const
+  {
+    const PartCount &count = part_counts[faces];
+    return count.joined + set_size[count.isolated & ~cells];
+  }
 };
 
 constexpr std::uint8_t kNoLayer = 255;

@@ -1,0 +1,56 @@
+// The planes of the field around the one at hand, with the maxima over their cells.
+#pragma once
+
+#include "volsurf/core/plane_source.h"
+#include "volsurf/topology/first_steps.h"
+#include "volsurf/topology/newborn.h"
+
+#include <array>
+#include <vector>
+
+namespace volsurf {
+
+/// A ring of planes that moves up through the volume: samples of planes z - 1 to z + 2, maxima of cells of planes z - 1
+/// to z + 1.
+///
+/// Planes of maxima have a frame of what is outside the volume: one more row and column than there are samples, so that
+/// octant o of the star of sample (x, y) stands at (x + (o & 1), y + (o >> 1 & 1)).
+class FieldWindow {
+public:
+  FieldWindow(const Index3 &samples, const PlaneSource &source, Exterior exterior);
+
+  /// Makes ready for plane z, which is the first one or follows the one before.
+  void advance_to(std::int64_t z);
+
+  /// The rows of samples around (y, z). Rows outside the volume are replaced by the nearest ones.
+  StarRows star_rows(std::int64_t y) const;
+
+  /// The cells of octants 2 * i and 2 * i + 1 of the samples of row y, plane z or z + 1; octant o of sample x is at
+  /// x + (o & 1).
+  CellRow octant_row(std::int64_t y, std::int64_t z, int i) const;
+
+  /// The cells of row y of the cell grid and their neighbours.
+  CellRows cell_rows(std::int64_t y) const;
+
+private:
+  struct CellPlane {
+    std::vector<float> values;
+    std::vector<CornerCode> corners;
+  };
+
+  void load(std::int64_t z);
+  void make_cells(std::int64_t z);
+  const CellPlane &cell_plane(std::int64_t z) const;
+  CellRow framed_row(std::int64_t row, std::int64_t z) const;
+
+  Index3 samples_;
+  const PlaneSource &source_;
+  std::int64_t stride_; // of the planes of maxima
+  std::int64_t z_ = -2;
+  CellPlane outside_;
+  std::array<std::vector<float>, 4> field_; // a float of slack at each end, since stars read beyond their rows
+  std::array<CellPlane, 2> squares_;        // maxima over 2 x 2 samples of a plane
+  std::array<CellPlane, 3> cells_;
+};
+
+} // namespace volsurf
