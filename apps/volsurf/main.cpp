@@ -51,10 +51,10 @@ void print(const std::string &text)
 
 void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
 {
-  for (const std::string &warning : report.warnings)
-    std::cerr << "volsurf: warning: " << one_line(warning) << '\n';
   if (verbosity == volsurf::Verbosity::quiet)
     return;
+  for (const std::string &warning : report.warnings)
+    std::cerr << "volsurf: warning: " << one_line(warning) << '\n';
   for (const auto &output : report.settings.outputs)
     std::cerr << one_line(output.string()) << ": " << report.mesh.triangles << " triangles in "
               << report.components_kept << " of " << report.components << " components, between " << report.regions

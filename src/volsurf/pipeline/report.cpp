@@ -80,7 +80,7 @@ Json mesh_json(const Report &report)
           {"genus", mesh.watertight ? Json(mesh.genus) : Json(nullptr)},
           {"area_mm2", mesh.area_mm2},
           {"volume_mm3", mesh.volume_mm3},
-          {"volume_drift", report.smoothing.volume_drift},
+          {"volume_drift", mesh.watertight ? Json(report.smoothing.volume_drift) : Json(nullptr)},
           {"bounds_low_mm", mesh.bounds_low_mm},
           {"bounds_high_mm", mesh.bounds_high_mm}};
 }

@@ -160,7 +160,7 @@ void collect_warnings(Report &report)
   if (report.non_finite_gradients > 0)
     report.warnings.push_back(std::to_string(report.non_finite_gradients) +
                               " samples have no finite gradient and were taken as walls");
-  if (std::abs(report.smoothing.volume_drift) > kLargestVolumeDrift)
+  if (report.mesh.watertight && std::abs(report.smoothing.volume_drift) > kLargestVolumeDrift)
     report.warnings.push_back("smoothing changed the enclosed volume by " +
                               number(100 * report.smoothing.volume_drift) + " %; try a smaller --smooth");
 }
@@ -173,12 +173,29 @@ LabelVolume region_labels(const Grid &grid, const RegionMerge &merge, const Regi
   return labels;
 }
 
-void write_text(const std::string &text, const PendingOutput &output)
+void write_text(const std::string &text, const std::filesystem::path &path)
 {
-  std::ofstream file(output.temporary_path(), std::ios::binary);
+  std::ofstream file(path, std::ios::binary);
   file << text << std::flush;
   if (!file)
-    throw OutputError(output.target().string() + ": it could not be written; is the disk full?");
+    throw OutputError(path.string() + ": it could not be written; is the disk full?");
+}
+
+std::string replaced(std::string text, const std::string &part, const std::string &by)
+{
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + by.size()))
+    text.replace(at, part.size(), by);
+  return text;
+}
+
+/// Errors name the file that the user asked for, not the temporary one.
+void write_pending(const PendingOutput &output, const std::function<void(const std::filesystem::path &)> &write)
+{
+  try {
+    write(output.temporary_path());
+  } catch (const OutputError &error) {
+    throw OutputError(replaced(error.what(), output.temporary_path().string(), output.target().string()));
+  }
 }
 
 /// All files of a run. They appear together, at the end.
@@ -202,20 +219,21 @@ public:
   void write_results(const Mesh &mesh, const LabelVolume &labels, const EdgeField &field, const Grid &grid)
   {
     const Provenance provenance{version_text(), settings_.input.filename().string(), describe(settings_)};
-    for (const PendingOutput &output : results_) {
-      if (is_vdb(output.target()))
-        write_vdb(labels, gradient_magnitude(field, grid), output.temporary_path(), provenance, settings_.frame);
-      else
-        write_mesh(mesh, output_kind_of(output.target()), output.temporary_path(), provenance, settings_.frame);
-    }
+    for (const PendingOutput &output : results_)
+      write_pending(output, [&](const std::filesystem::path &path) {
+        if (is_vdb(output.target()))
+          write_vdb(labels, gradient_magnitude(field, grid), path, provenance, settings_.frame);
+        else
+          write_mesh(mesh, output_kind_of(output.target()), path, provenance, settings_.frame);
+      });
     if (labels_)
-      write_labels(labels, labels_->temporary_path(), provenance);
+      write_pending(*labels_, [&](const std::filesystem::path &path) { write_labels(labels, path, provenance); });
   }
 
   void write_report(const Report &report)
   {
     if (report_)
-      write_text(to_json(report), *report_);
+      write_pending(*report_, [&](const std::filesystem::path &path) { write_text(to_json(report), path); });
   }
 
   void commit()
