@@ -1,7 +1,8 @@
-// volsurf-phantom: writes a synthetic T1-weighted head, and its truth, as NRRD.
+// volsurf-phantom: writes a synthetic T1-weighted head and its truth, or a given scan with noise added, as NRRD.
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/io/output_file.h"
+#include "volsurf/io/read_volume.h"
 #include "volsurf/io/write_volume.h"
 #include "volsurf/phantom/noise.h"
 #include "volsurf/phantom/phantom.h"
@@ -22,7 +23,7 @@ namespace {
 
 using namespace volsurf;
 
-enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kOutput = 5, kInterrupted = 130 };
+enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kInput = 3, kOutput = 5, kInterrupted = 130 };
 
 std::atomic<bool> interrupted{false};
 
@@ -51,7 +52,8 @@ struct Arguments {
   double bias = PhantomOptions().bias;
   std::int64_t anatomy = static_cast<std::int64_t>(PhantomOptions().anatomy);
   std::int64_t seed = static_cast<std::int64_t>(NoiseOptions().seed);
-  std::string type = "uint16";
+  std::string type;
+  std::string scan;
   std::string output;
   std::string truth;
   int threads = 0;
@@ -63,6 +65,8 @@ void add_options(CLI::App &app, Arguments &arguments)
   app.add_option("--truth", arguments.truth,
                  "The tissue of each sample, .nrrd: 0 air, 1 scalp, 2 skull, 3 cerebrospinal fluid, 4 grey matter, "
                  "5 white matter, 6 ventricle, 7 muscle");
+  auto *const scan =
+      app.add_option("--scan", arguments.scan, "Add the noise to this scan, of any format that volsurf reads, instead");
   app.add_option("--size", arguments.size, "Samples per axis: N or X,Y,Z (128)")->delimiter(',')->expected(1, 3);
   app.add_option("--spacing", arguments.spacing_mm,
                  "Millimetres between samples: S or X,Y,Z (so that the head, 204.8 mm, fits)")
@@ -70,18 +74,20 @@ void add_options(CLI::App &app, Arguments &arguments)
       ->expected(1, 3);
   app.add_option("--noise", arguments.noise,
                  "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
-                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1030; without % in "
-                 "intensity) (none)");
+                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1030, or of the range "
+                 "of --scan; without % in intensity) (none)");
   app.add_option("--bias", arguments.bias, "Bias field: a factor of 1 - B/2 to 1 + B/2, B in 0 .. 1")
       ->capture_default_str();
   app.add_option("--seed", arguments.seed, "Seed of the noise")->capture_default_str();
   app.add_option("--anatomy", arguments.anatomy, "Seed of the folds and of the bias field")->capture_default_str();
   app.add_option("--type", arguments.type,
-                 "uint16 (12 bits: 0 .. 4095), uint8 (scaled: 255 is intensity 1600) or float")
-      ->capture_default_str();
+                 "uint16 (12 bits: 0 .. 4095), uint8 (scaled: 255 is intensity 1600) or float (uint16; with --scan "
+                 "always float)");
   app.add_option("--threads", arguments.threads, "Threads; 0: all. They do not change the result")
       ->capture_default_str();
   app.set_version_flag("--version", "volsurf-phantom " VOLSURF_VERSION);
+  for (const char *const option : {"--size", "--spacing", "--bias", "--anatomy", "--truth", "--type"})
+    scan->excludes(app.get_option(option));
 }
 
 /// One number for all axes, or one for each.
@@ -106,8 +112,10 @@ void fit_to_type(Volume &volume, PixelType type)
 
 PixelType parse_type(const std::string &name)
 {
-  const std::map<std::string, PixelType> types{
-      {"uint8", PixelType::uint8}, {"uint16", PixelType::uint16}, {"float", PixelType::float32}};
+  const std::map<std::string, PixelType> types{{"", PixelType::uint16},
+                                               {"uint8", PixelType::uint8},
+                                               {"uint16", PixelType::uint16},
+                                               {"float", PixelType::float32}};
   const auto found = types.find(name);
   if (found == types.end())
     throw UsageError("--type: \"" + name + "\" is not uint16, uint8 or float");
@@ -151,7 +159,8 @@ std::string options_as_used(const Arguments &arguments, const PhantomOptions &ph
   const Vec3 &spacing = phantom.spacing_mm;
   text << "--size " << size[0] << ',' << size[1] << ',' << size[2] << " --spacing " << spacing[0] << ',' << spacing[1]
        << ',' << spacing[2] << " --noise " << arguments.noise << " --bias " << arguments.bias << " --seed "
-       << arguments.seed << " --anatomy " << arguments.anatomy << " --type " << arguments.type;
+       << arguments.seed << " --anatomy " << arguments.anatomy << " --type "
+       << (arguments.type.empty() ? "uint16" : arguments.type);
   return text.str();
 }
 
@@ -167,8 +176,28 @@ template <typename Write> void write_to(const PendingOutput &output, const Write
   report_progress(carry_on, "write", 1);
 }
 
+/// Noise on top of a real scan.
+void run_on_scan(const Arguments &arguments)
+{
+  require_nrrd_extension(arguments.output);
+  InputVolume input = read_volume(arguments.scan);
+  PendingOutput output(arguments.output);
+  const ThreadLimit limit(static_cast<int>(not_negative(arguments.threads, "--threads")));
+  const auto [low, high] = std::minmax_element(input.volume.samples.begin(), input.volume.samples.end());
+  NoiseOptions noise = parse_noise(arguments.noise, static_cast<double>(*high) - *low);
+  noise.seed = not_negative(arguments.seed, "--seed");
+  add_noise(input.volume, noise);
+  const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION,
+                              std::filesystem::path(arguments.scan).filename().string(),
+                              "--noise " + arguments.noise + " --seed " + std::to_string(arguments.seed)};
+  write_to(output, [&](const auto &file) { write_volume(input.volume, PixelType::float32, file, provenance); });
+  output.commit();
+}
+
 void run(const Arguments &arguments)
 {
+  if (!arguments.scan.empty())
+    return run_on_scan(arguments);
   const PhantomOptions options = phantom_options(arguments);
   NoiseOptions noise = parse_noise(arguments.noise, kTissueContrast);
   noise.seed = not_negative(arguments.seed, "--seed");
@@ -218,6 +247,8 @@ int main(int argc, char **argv)
     return app.exit(error) == 0 ? kDone : kUsage;
   } catch (const UsageError &error) {
     return fail(error, kUsage);
+  } catch (const InputError &error) {
+    return fail(error, kInput);
   } catch (const OutputError &error) {
     return fail(error, kOutput);
   } catch (const Cancelled &error) {

@@ -77,6 +77,21 @@ TEST(PhantomProgram, writes_each_pixel_type)
   EXPECT_NE(header_of("float").find("type: float"), std::string::npos);
 }
 
+std::string data_of(const std::string &nrrd)
+{
+  return nrrd.substr(nrrd.find("\n\n"));
+}
+
+TEST(PhantomProgram, a_scan_gets_the_noise_that_the_same_phantom_would_get)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_phantom(folder, "--size 16 --type float -o clean.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, "--size 16 --type float --noise impulse:10% -o noisy.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, "--scan clean.nrrd --noise impulse:10% -o added.nrrd").exit_code, 0);
+  EXPECT_EQ(data_of(read_file(folder / "added.nrrd")), data_of(read_file(folder / "noisy.nrrd")));
+  EXPECT_NE(data_of(read_file(folder / "added.nrrd")), data_of(read_file(folder / "clean.nrrd")));
+}
+
 TEST(PhantomProgram, tells_its_version_and_its_options)
 {
   const TemporaryFolder folder;
@@ -102,6 +117,8 @@ TEST(PhantomProgram, refuses_bad_usage)
   expect_refused("-o a.nrrd --size 8 --seed -1", 2, "--seed: -1");
   expect_refused("-o a.nrrd --size 8 --threads -1", 2, "--threads: -1");
   expect_refused("-o a.nrrd --size 8 --type int8", 2, "int8");
+  expect_refused("-o a.nrrd --scan b.nrrd --size 8", 2, "--scan");
+  expect_refused("-o a.nrrd --scan missing.nrrd", 3, "missing.nrrd");
 }
 
 TEST(PhantomProgram, says_where_it_cannot_write)
