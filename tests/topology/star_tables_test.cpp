@@ -78,7 +78,7 @@ TEST(StarTables, PartsAreJoinedByOldFaces)
       isolated |= static_cast<unsigned>(alone) << a;
       joined_parts += !alone && part % (1U << a) == 0 ? 1 : 0;
     }
-    EXPECT_EQ(star_tables().isolated[faces], isolated);
-    EXPECT_EQ(star_tables().joined_parts[faces], joined_parts);
+    EXPECT_EQ(star_tables().part_counts[faces].isolated, isolated);
+    EXPECT_EQ(star_tables().part_counts[faces].joined, joined_parts);
   }
 }
