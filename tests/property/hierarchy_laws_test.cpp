@@ -118,3 +118,17 @@ RC_GTEST_PROP(HierarchyLaws, RegionsAreNumberedByDecreasingCellCountThenByTheirM
       RC_ASSERT(cells[i - 1] > cells[i] || (cells[i - 1] == cells[i] && regions.maxima[i - 1] < regions.maxima[i]));
   }
 }
+
+// Two maxima of 3e38 over a floor of -3e38: the difference is no float.
+TEST(HierarchyLaws, OnlyTheEldestBasinHasInfinitePersistence)
+{
+  Field field{{9, 2, 2}, std::vector<float>(36, -3e38F)};
+  for (const std::size_t x : {0U, 8U})
+    for (std::size_t row = 0; row < 4; ++row)
+      field.values[x + 9 * row] = 3e38F;
+  field.values[8] = 3.1e38F;
+  const Hierarchy hierarchy = merge_of(field, Exterior::none).hierarchy;
+  ASSERT_EQ(hierarchy.basin_count(), 2U);
+  EXPECT_EQ(hierarchy.largest_persistence(), std::numeric_limits<float>::max());
+  EXPECT_EQ(saliency(hierarchy, 0, 1), std::numeric_limits<float>::max());
+}

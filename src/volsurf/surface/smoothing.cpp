@@ -4,11 +4,13 @@
 #include "volsurf/interop/vtk_mesh.h"
 #include "volsurf/surface/check.h"
 
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -68,10 +70,28 @@ void put_back_into_planes(const std::vector<CapPoint> &cap_points, const Grid &g
   }
 }
 
+/// Undoes the filter's gain at frequency zero, which is up to 1 % off 1: it scales all points about the middle of their
+/// bounds, those that it holds fixed too. `lone` is a point of no triangle, which shows the gain.
+void undo_gain(const std::array<double, 3> &middle, const std::array<double, 3> &lone,
+               const std::array<double, 3> &lone_after, Mesh &mesh)
+{
+  const double before = std::hypot(lone[0] - middle[0], lone[1] - middle[1], lone[2] - middle[2]);
+  const double after = std::hypot(lone_after[0] - middle[0], lone_after[1] - middle[1], lone_after[2] - middle[2]);
+  for (Point &point : mesh.points)
+    for (int i = 0; i < 3; ++i)
+      point[i] = static_cast<float>(middle[i] + (point[i] - middle[i]) * before / after);
+}
+
 void run_filter(Mesh &mesh, const SmoothingResult &parameters)
 {
+  const auto data = to_poly_data(mesh);
+  const double *const bounds = data->GetPoints()->GetBounds();
+  const std::array<double, 3> lone{bounds[0], bounds[2], bounds[4]};
+  const std::array<double, 3> middle{(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+                                     (bounds[4] + bounds[5]) / 2};
+  const vtkIdType lone_id = data->GetPoints()->InsertNextPoint(lone.data());
   const auto filter = vtkSmartPointer<vtkWindowedSincPolyDataFilter>::New();
-  filter->SetInputData(to_poly_data(mesh));
+  filter->SetInputData(data);
   filter->SetNumberOfIterations(parameters.iterations);
   filter->SetPassBand(parameters.pass_band);
   filter->NormalizeCoordinatesOn();
@@ -80,7 +100,13 @@ void run_filter(Mesh &mesh, const SmoothingResult &parameters)
   filter->BoundarySmoothingOn();
   filter->SetEdgeAngle(180); // a staircase's corners are no corners of the curve
   filter->Update();
+
+  vtkPoints &points = *filter->GetOutput()->GetPoints();
+  std::array<double, 3> lone_after{};
+  points.GetPoint(lone_id, lone_after.data());
+  points.SetNumberOfPoints(lone_id);
   copy_points(*filter->GetOutput(), mesh);
+  undo_gain(middle, lone, lone_after, mesh);
 }
 
 void require_finite(const Mesh &mesh)

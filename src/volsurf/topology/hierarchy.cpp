@@ -44,7 +44,8 @@ std::vector<BasinId> join_basins(const std::vector<SaddleEdge> &edges, const std
       std::swap(elder, younger);
       side = edge.b;
     }
-    persistence[younger] = values[younger] - edge.value;
+    // An edge map of both signs may overflow, but only the eldest basin's persistence is infinite.
+    persistence[younger] = std::min(values[younger] - edge.value, std::numeric_limits<float>::max());
     elder_side[younger] = side;
     component[younger] = elder;
   }
