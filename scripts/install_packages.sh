@@ -49,10 +49,8 @@ missing() {
 as_root() {
   if [[ $EUID -eq 0 ]]; then
     "$@"
-  elif command -v sudo >/dev/null; then
-    sudo "$@"
   else
-    fail "installing packages needs root: run this as root, or install sudo"
+    sudo "$@"
   fi
 }
 
@@ -61,6 +59,8 @@ apt() { as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=
 # install PACKAGE...: the log is shown only where that fails.
 install() {
   local log
+  [[ $EUID -eq 0 ]] || command -v sudo >/dev/null ||
+    fail "these packages are missing, and installing them needs root or sudo: $*"
   log=$(mktemp)
   echo "installing $# Debian packages and what they need: $*"
   if ! { apt update && apt install -y --no-install-recommends "$@"; } >"$log" 2>&1; then
