@@ -30,6 +30,18 @@ int available_threads()
   return tbb::info::default_concurrency();
 }
 
+int active_threads()
+{
+  const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min(static_cast<int>(limit), available_threads());
+}
+
+std::int64_t large_slab(std::int64_t count)
+{
+  const std::int64_t slabs = active_threads() == 1 ? 1 : 2 * active_threads();
+  return std::max<std::int64_t>((count + slabs - 1) / slabs, std::min<std::int64_t>(count, 16));
+}
+
 ThreadLimit::ThreadLimit(int threads)
     : control_(new Control{{tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(threads > 0 ? threads : available_threads())}})

@@ -26,6 +26,13 @@ void parallel_for_slabs(std::int64_t count, std::int64_t planes_per_slab,
 /// Threads of this machine that the process may use.
 int available_threads();
 
+/// Threads that parallel_for_slabs uses now.
+int active_threads();
+
+/// A slab size for work that costs a few planes more per slab: few slabs, but two for each thread, so that a thread
+/// that is held up does not hold up the others.
+std::int64_t large_slab(std::int64_t count);
+
 /// While it lives, parallel_for_slabs uses at most `threads` threads (0: all that are available).
 class ThreadLimit {
 public:

@@ -13,6 +13,8 @@ namespace volsurf {
 
 namespace {
 
+constexpr int kLargestRadius = static_cast<int>(4 * kLargestSigmaVoxels);
+
 int kernel_radius(double sigma_voxels)
 {
   return std::max(1, static_cast<int>(std::ceil(4.0 * sigma_voxels)));
@@ -37,21 +39,23 @@ PlaneScratch &thread_scratch()
   return scratch;
 }
 
-/// The row that starts at plane[0], plane[stride], ..., with positions beyond 0 .. last taken at the border.
-std::vector<const float *> kernel_rows(const float *first, std::int64_t stride, std::int64_t centre, std::int64_t last,
-                                       int radius)
+/// What a kernel sees: rows at equal distances from each other.
+using RowPointers = std::array<const float *, 2 * kLargestRadius + 1>;
+
+/// The rows that start at first, first + stride, ...; positions beyond 0 .. last are taken at the border.
+RowPointers kernel_rows(const float *first, std::int64_t stride, std::int64_t centre, std::int64_t last, int radius)
 {
-  std::vector<const float *> rows(static_cast<std::size_t>(2 * radius + 1));
+  RowPointers rows;
   for (int k = -radius; k <= radius; ++k)
     rows[static_cast<std::size_t>(k + radius)] = first + std::clamp<std::int64_t>(centre + k, 0, last) * stride;
   return rows;
 }
 
 /// Shifted views of a padded row.
-std::vector<const float *> shifted_rows(const float *padded, int radius)
+RowPointers shifted_rows(const float *padded, int radius)
 {
-  std::vector<const float *> rows(static_cast<std::size_t>(2 * radius + 1));
-  std::iota(rows.begin(), rows.end(), padded);
+  RowPointers rows;
+  std::iota(rows.begin(), rows.begin() + 2 * radius + 1, padded);
   return rows;
 }
 

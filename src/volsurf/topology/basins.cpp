@@ -13,34 +13,33 @@ namespace {
 
 constexpr BasinId kUnknown = 0xFFFFFFFFU;
 
-/// Marks a label that is the number of a path out of its slab.
-constexpr BasinId kExitFlag = 0x80000000U;
+/// Marks an entry of the labels that is not a label yet, but leads to another cell of the slab: the flag and the cell's
+/// place in the slab.
+constexpr BasinId kPointerFlag = 0x80000000U;
 
-bool is_exit(BasinId label)
+bool is_pointer(BasinId entry)
 {
-  return (label & kExitFlag) != 0;
+  return (entry & kPointerFlag) != 0;
 }
 
-BasinId exit_label(std::size_t exit)
-{
-  if (exit >= kFirstStepCode - kExitFlag)
-    throw Error("the volume is too large for its slabs; split it");
-  return static_cast<BasinId>(exit) | kExitFlag;
-}
-
-/// A path of steps that leaves its slab.
+/// A path of steps that leaves its slab. Exits have labels of their own, after those of all basins.
 struct Exit {
   CellId target; ///< the first cell outside
   std::int64_t cell_count;
   BasinId basin; ///< known after resolve_exits()
 };
 
-/// Replaces the step codes of the cells begin .. end-1 by labels.
+/// Replaces the step codes of one slab by labels, in two passes over its cells.
+///
+/// The forward pass writes, for a step to a later cell, a pointer to it, and for a step to an earlier cell what stands
+/// there, a label or a pointer; pointers to cells that have been passed are followed on. So pointers always lead to
+/// later cells, and the backward pass finds a label behind each.
 class SlabLabeller {
 public:
   SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins,
                std::vector<Exit> &exits)
-      : labels_(basins.labels.data()), begin_(begin), end_(end), exterior_(exterior), basins_(basins), exits_(exits)
+      : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), exterior_(exterior), basins_(basins),
+        exits_(exits)
   {
     for (Step step = 0; step < kNoStep; ++step)
       offsets_[step] = cells.offset(step);
@@ -49,71 +48,85 @@ public:
   /// Returns the number of cells that belong to the exterior's basin.
   std::int64_t label_slab()
   {
-    label_roots();
-    for (CellId cell = begin_; cell < end_; ++cell) {
-      if (!is_step_code(labels_[cell]))
-        continue;
-      path_.clear();
-      const BasinId label = follow(cell);
-      for (const CellId on_path : path_)
-        labels_[on_path] = label;
-      labels_[cell] = label;
-      count(label, 1 + static_cast<std::int64_t>(path_.size()));
-    }
+    point_forward();
+    read_backward();
     return exterior_cells_;
   }
 
 private:
-  void label_roots()
+  void point_forward()
   {
     const auto &roots = basins_.roots;
     const auto last = exterior_ == kUnknown ? roots.end() : roots.end() - 1;
-    const auto first = std::lower_bound(roots.begin(), last, begin_);
-    for (auto root = first; root != last && *root < end_; ++root) {
-      const auto basin = static_cast<BasinId>(root - roots.begin());
-      labels_[*root] = basin;
-      basins_.cell_counts[basin] = 1;
+    auto next_root = static_cast<BasinId>(std::lower_bound(roots.begin(), last, begin_) - roots.begin());
+    for (std::int64_t cell = 0; cell < size_; ++cell) {
+      const Step step = step_of(entries_[cell]);
+      if (step == kNoStep)
+        entries_[cell] = next_root++;
+      else if (step == kToExterior)
+        entries_[cell] = exterior_;
+      else
+        entries_[cell] = entry_after(cell, cell + offsets_[step]);
     }
   }
 
-  /// The label that the steps from `cell` on lead to; collects the cells without one that lie between in path_.
-  BasinId follow(CellId cell)
+  BasinId entry_after(std::int64_t cell, std::int64_t target)
   {
-    BasinId code = labels_[cell];
-    for (;;) {
-      if (code == step_code(kToExterior))
-        return exterior_;
-      cell += offsets_[step_of(code)];
-      if (cell < begin_ || cell >= end_) {
-        exits_.push_back({cell, 0, kUnknown});
-        return exit_label(exits_.size() - 1);
+    if (target < 0 || target >= size_)
+      return new_exit(begin_ + target);
+    BasinId entry = target < cell ? entries_[target] : static_cast<BasinId>(target) | kPointerFlag;
+    while (is_pointer(entry) && (entry & ~kPointerFlag) < static_cast<std::uint64_t>(cell))
+      entry = entries_[entry & ~kPointerFlag];
+    return entry;
+  }
+
+  BasinId new_exit(CellId target)
+  {
+    exits_.push_back({target, 0, kUnknown});
+    const std::size_t label = basins_.roots.size() + exits_.size() - 1;
+    if (label >= kPointerFlag)
+      throw Error("the volume has too many basins; more than 2147483647 are not allowed");
+    return static_cast<BasinId>(label);
+  }
+
+  /// Counts runs of cells with the same label at once.
+  void read_backward()
+  {
+    BasinId run_label = kUnknown;
+    std::int64_t run_end = size_;
+    for (std::int64_t cell = size_ - 1; cell >= 0; --cell) {
+      BasinId entry = entries_[cell];
+      if (is_pointer(entry))
+        entries_[cell] = entry = entries_[entry & ~kPointerFlag];
+      if (entry != run_label) {
+        count(run_label, run_end - cell - 1);
+        run_label = entry;
+        run_end = cell + 1;
       }
-      code = labels_[cell];
-      if (!is_step_code(code))
-        return code;
-      path_.push_back(cell);
     }
+    count(run_label, run_end);
   }
 
   void count(BasinId label, std::int64_t cells)
   {
-    if (is_exit(label))
-      exits_[label & ~kExitFlag].cell_count += cells;
+    if (cells == 0)
+      return;
+    if (label >= basins_.roots.size())
+      exits_[label - basins_.roots.size()].cell_count += cells;
     else if (label == exterior_)
       exterior_cells_ += cells;
     else
       basins_.cell_counts[label] += cells;
   }
 
-  BasinId *labels_;
+  BasinId *entries_; // of the slab's cells
   CellId begin_;
-  CellId end_;
+  std::int64_t size_;
   BasinId exterior_;
   Basins &basins_;
   std::vector<Exit> &exits_;
   std::int64_t exterior_cells_ = 0;
   std::array<std::int64_t, kNoStep> offsets_{};
-  std::vector<CellId> path_;
 };
 
 Basins collect_roots(StarSweep &sweep, Exterior exterior)
@@ -129,7 +142,7 @@ Basins collect_roots(StarSweep &sweep, Exterior exterior)
     basins.roots.push_back(-1);
     basins.values.push_back(std::numeric_limits<float>::infinity());
   }
-  if (basins.roots.size() >= kExitFlag)
+  if (basins.roots.size() >= kPointerFlag)
     throw Error("the volume has " + std::to_string(basins.roots.size()) + " basins; at most 2147483647 are allowed");
   basins.cell_counts.resize(basins.roots.size());
   return basins;
@@ -149,8 +162,8 @@ void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins
       while (basin == kUnknown) {
         chain.push_back(last);
         basin = basins.labels[last->target];
-        if (is_exit(basin)) {
-          last = &exits[static_cast<std::size_t>(last->target / cells_per_slab)][basin & ~kExitFlag];
+        if (basin >= basins.roots.size()) {
+          last = &exits[static_cast<std::size_t>(last->target / cells_per_slab)][basin - basins.roots.size()];
           basin = last->basin;
         }
       }
@@ -160,11 +173,21 @@ void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins
     }
 }
 
-void relabel_exits(const Slab &slab, std::int64_t cells_per_plane, const std::vector<Exit> &exits, BasinId *labels)
+void relabel_exits(const Slab &slab, std::int64_t cells_per_plane, const std::vector<Exit> &exits, Basins &basins)
 {
+  const std::size_t first_exit = basins.roots.size();
   for (CellId cell = slab.begin * cells_per_plane; cell < slab.end * cells_per_plane; ++cell)
-    if (is_exit(labels[cell]))
-      labels[cell] = exits[labels[cell] & ~kExitFlag].basin;
+    if (basins.labels[cell] >= first_exit)
+      basins.labels[cell] = exits[basins.labels[cell] - first_exit].basin;
+}
+
+/// Cells per slab must leave room for the pointers' flag.
+std::int64_t checked_planes_per_slab(const CellGrid &cells, std::int64_t planes_per_slab)
+{
+  const std::int64_t most = std::int64_t{kPointerFlag} / cells.plane;
+  if (most < 1)
+    throw Error("a plane of the volume has " + std::to_string(cells.plane) + " cells; at most 2147483648 are allowed");
+  return std::min(planes_per_slab, most);
 }
 
 } // namespace
@@ -176,6 +199,7 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
   const bool has_exterior = exterior == Exterior::infinite;
   const BasinId exterior_basin = has_exterior ? static_cast<BasinId>(basins.roots.size() - 1) : kUnknown;
 
+  planes_per_slab = checked_planes_per_slab(cells, planes_per_slab);
   const auto slabs = static_cast<std::size_t>(slab_count(cells.size[2], planes_per_slab));
   SlabExits exits(slabs);
   std::vector<std::int64_t> exterior_cells(slabs);
@@ -193,7 +217,7 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
   parallel_for_slabs(cells.size[2], planes_per_slab, [&](const Slab &slab) {
     const auto &slab_exits = exits[static_cast<std::size_t>(slab.index)];
     if (!slab_exits.empty())
-      relabel_exits(slab, cells.plane, slab_exits, basins.labels.data());
+      relabel_exits(slab, cells.plane, slab_exits, basins);
   });
   return basins;
 }

@@ -4,8 +4,8 @@
 // contracted: far smaller than the dual graph (0.006 to 0.19 edges per sample on real volumes).
 //
 // Guarantees: basins are numbered by root cell; edges keep the order K of their faces among equal values. Passes: each
-// slab of cells follows steps until it meets a label or leaves the slab; the paths that left are joined up over the
-// slabs; then their cells are relabelled.
+// slab of cells turns its steps into labels, in one pass forward and one backward; the paths that left it are joined up
+// over the slabs; then their cells are relabelled.
 #pragma once
 
 #include "volsurf/topology/star_sweep.h"

@@ -10,11 +10,13 @@
 #include "volsurf/core/cell_labels.h"
 #include "volsurf/topology/hierarchy.h"
 
+#include <optional>
+
 namespace volsurf {
 
 struct MergeOptions {
   Exterior exterior = Exterior::none;
-  std::int64_t planes_per_slab = 32; ///< granularity of the threads' work; does not change the result
+  std::optional<std::int64_t> planes_per_slab = {}; ///< of the threads' work; does not change the result
 };
 
 struct RegionMerge {

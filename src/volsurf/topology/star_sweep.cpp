@@ -49,10 +49,13 @@ private:
   {
     const CellRows rows = window_.cell_rows(y);
     BasinId *const codes = codes_ + cells_.id(0, y, z);
-    first_steps(rows, cells_.size[0], codes);
-    for (std::int64_t x = 0; x < cells_.size[0]; ++x)
-      if (codes[x] == step_code(kNoStep))
-        codes[x] = step_code(step_among_newborn({x, y, z}, rows.centre.corners[x]));
+    first_steps(rows, cells_.size[0], codes, undecided_);
+    if (undecided_.empty())
+      return;
+    for (int i = 0; i < 4; ++i)
+      corner_stars_[static_cast<std::size_t>(i)] = octant_rows(y + (i & 1), z + (i >> 1));
+    for (const std::int64_t x : undecided_)
+      codes[x] = step_code(step_among_newborn({x, y, z}, rows.centre.corners[x]));
   }
 
   /// The step of a cell whose neighbours across its first corner v are all newborn at v: by the table, or, where v is a
@@ -63,25 +66,25 @@ private:
     for (int axis = 0; axis < 3; ++axis)
       v[axis] += corner >> axis & 1;
     const int octant = static_cast<int>(corner ^ 7);
+    const OctantRows &star = corner_stars_[corner >> 1];
     const unsigned real = border_.real_cells(v[0], v[1], v[2]);
-    const unsigned newborn = newborn_cells_of(v, real);
+    const unsigned newborn = newborn_cells_of(star, v[0], real);
     if (newborn != 0xFF)
       return step_across(octant, tables_.deep_axis[newborn][octant]);
     const int root = __builtin_ctz(real);
     if (octant != root)
       return step_across(octant, __builtin_ctz(static_cast<unsigned>(octant ^ root)));
     stars_.roots.push_back(cells_.id(cell[0], cell[1], cell[2]));
-    stars_.root_values.push_back(octant_rows(v[1], v[2]).value(v[0], octant));
+    stars_.root_values.push_back(star.value(v[0], octant));
     return kNoStep;
   }
 
   /// Cells outside the volume are none of the exterior node's, so they count as newborn (see BorderRule).
-  unsigned newborn_cells_of(const Index3 &v, unsigned real) const
+  static unsigned newborn_cells_of(const OctantRows &star, std::int64_t x, unsigned real)
   {
-    const OctantRows rows = octant_rows(v[1], v[2]);
     unsigned newborn = ~real & 0xFFU;
     for (int octant = 0; octant < kOctants; ++octant)
-      newborn |= static_cast<unsigned>(rows.corner(v[0], octant) == static_cast<CornerCode>(octant ^ 7)) << octant;
+      newborn |= static_cast<unsigned>(star.corner(x, octant) == static_cast<CornerCode>(octant ^ 7)) << octant;
     return newborn;
   }
 
@@ -96,11 +99,13 @@ private:
     const StarRows rows = window_.star_rows(y);
     newborn_masks(rows, samples_[0], masks_.data());
     complete_border(y, z);
-    for (std::int64_t x = 0; x < samples_[0]; ++x) {
+    const OctantRows stars = octant_rows(y, z);
+    const std::int64_t count = samples_[0];
+    for (std::int64_t x = 0; x < count; ++x) {
       const NewbornMask mask = masks_[static_cast<std::size_t>(x)];
       const int parts = tables_.parts_outside(newborn_cells(mask), newborn_faces(mask));
       if (parts > 1)
-        add_saddles({x, y, z}, mask, parts, rows[4][x]);
+        add_saddles({x, y, z}, stars, mask, parts, rows[4][x]);
     }
   }
 
@@ -117,11 +122,10 @@ private:
         complete(x);
   }
 
-  void add_saddles(const Index3 &v, NewbornMask mask, int parts, float value)
+  void add_saddles(const Index3 &v, const OctantRows &rows, NewbornMask mask, int parts, float value)
   {
     const unsigned real = border_.real_cells(v[0], v[1], v[2]);
     Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU, {}, {}};
-    const OctantRows rows = octant_rows(v[1], v[2]);
     for (int octant = 0; octant < kOctants; ++octant)
       star.values[octant] = rows.value(v[0], octant);
     for (unsigned rest = star.cells & real; rest != 0; rest &= rest - 1) {
@@ -170,7 +174,9 @@ private:
   FieldWindow window_;
   BasinId *codes_;
   SlabStars &stars_;
-  std::vector<NewbornMask> masks_;
+  std::vector<NewbornMask> masks_;           // of a row of samples
+  std::vector<std::int64_t> undecided_;      // cells of a row
+  std::array<OctantRows, 4> corner_stars_{}; // around the corners of a row of cells, by corner >> 1
 };
 
 } // namespace
