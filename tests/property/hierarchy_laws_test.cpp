@@ -1,4 +1,4 @@
-// One tree answers every delta: DESIGN section 3, T3, T4 and T6, and the numbers of regions.
+// One tree answers every delta: docs/method.md, T3, T4 and T6, and the numbers of regions.
 #include "support/fields.h"
 #include "support/merge_of_field.h"
 

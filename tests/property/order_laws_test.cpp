@@ -1,4 +1,4 @@
-// What is proved about the region merge whatever the order of tied faces: DESIGN section 3, T1, T2 and T7.
+// What is proved about the region merge whatever the order of tied faces: docs/method.md, T1, T2 and T7.
 #include "support/fields.h"
 #include "support/gudhi_persistence.h"
 #include "support/merge_of_field.h"

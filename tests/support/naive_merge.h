@@ -1,4 +1,4 @@
-// The oracle: Kruskal over explicit faces in order K with two union-finds, as DESIGN section 2 defines the region
+// The oracle: Kruskal over explicit faces in order K with two union-finds, as docs/method.md defines the region
 // merge. It is slow on purpose: each definition stands in it as it is written.
 #pragma once
 

@@ -1,6 +1,6 @@
 // The boundary E(delta): the faces between cells that the surface separates.
 //
-// Source: the paper, algorithm 3, and DESIGN section 2. What lies outside the volume counts as part of the background.
+// Source: the paper, algorithm 3, and docs/method.md. What lies outside the volume counts as part of the background.
 #pragma once
 
 #include "volsurf/core/cell_labels.h"

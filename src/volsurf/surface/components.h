@@ -1,6 +1,6 @@
 // The connected components of a boundary and the choice of which to keep.
 //
-// Source: the paper, section 5.2.3, and DESIGN section 2. Faces are connected over shared edges.
+// Source: the paper, section 5.2.3, and docs/method.md. Faces are connected over shared edges.
 #pragma once
 
 #include "volsurf/surface/face_set.h"

@@ -3,8 +3,8 @@
 // In: the basins' maxima and the saddle edges between them. Out: one tree as flat arrays. A cut of it at delta is one
 // pass over the basins; the cells need not be touched to know the regions.
 //
-// Source: the paper, algorithm 2; DESIGN T3 and T4: the younger component of an edge with persistence < delta is one
-// region by the time of the edge, so the tree needs one entry per basin, for the edge at which it stops to be a
+// Source: the paper, algorithm 2; docs/method.md T3 and T4: the younger component of an edge with persistence < delta
+// is one region by the time of the edge, so the tree needs one entry per basin, for the edge at which it stops to be a
 // component.
 #pragma once
 

@@ -1,8 +1,8 @@
 // The region merge: from the field to the hierarchy of basins.
 //
 // In: I = -|grad g| on the samples, plane by plane. Out: the basin of each cell and the hierarchy that joins basins to
-// regions for any delta. For every delta > 0 the partition is the one of Kruskal over all faces in order K (DESIGN
-// sections 2 and 4), without sorting or storing a face.
+// regions for any delta. For every delta > 0 the partition is the one of Kruskal over all faces in order K
+// (docs/method.md sections 2 and 4), without sorting or storing a face.
 //
 // Source: the paper, algorithm 2. Steps: star_sweep (A, B, C), basins (D, E), hierarchy (F, G).
 #pragma once

@@ -1,0 +1,23 @@
+// What the surface of a run is to separate.
+#pragma once
+
+#include "volsurf/pipeline/settings.h"
+#include "volsurf/surface/boundary.h"
+#include "volsurf/topology/region_merge.h"
+
+namespace volsurf {
+
+/// The region that what lies outside the volume belongs to: the one that holds the exterior node or, where there is
+/// none, the one with the most border faces, ties to the lower id.
+RegionId background_region(const RegionMerge &merge, const Regions &regions);
+
+struct Selection {
+  Sides sides;
+  bool one_thing; ///< the surface goes around one side only, so that it can be made a manifold
+};
+
+/// The sides that --surface and --seed ask for. Throws UsageError where a seed lies outside the volume.
+Selection select_sides(const Settings &settings, const Grid &grid, const RegionMerge &merge, const Regions &regions,
+                       RegionId background);
+
+} // namespace volsurf

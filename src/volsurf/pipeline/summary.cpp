@@ -1,0 +1,58 @@
+#include "volsurf/pipeline/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace volsurf {
+
+namespace {
+
+constexpr std::size_t kMostListed = 20;
+
+} // namespace
+
+void summarise_regions(const RegionMerge &merge, const Regions &regions, Report &report)
+{
+  const Hierarchy &hierarchy = merge.hierarchy;
+  const Index3 &n = merge.cells.size;
+  for (std::size_t rank = 0; rank < std::min(kMostListed, regions.count()); ++rank) {
+    const BasinId basin = hierarchy.by_rank[rank];
+    if (hierarchy.roots[basin] < 0)
+      continue; // the exterior has no place
+    const CellId root = hierarchy.roots[basin];
+    const RegionId id = regions.of_basin[basin];
+    const Vec3 centre{static_cast<double>(root % n[0]) + 0.5, static_cast<double>(root / n[0] % n[1]) + 0.5,
+                      static_cast<double>(root / n[0] / n[1]) + 0.5};
+    report.strongest_regions.push_back(
+        {id, hierarchy.persistence[basin], regions.cell_counts[id - 1], index_to_world(report.grid, centre)});
+  }
+  report.basins = static_cast<std::int64_t>(hierarchy.basin_count());
+  report.largest_persistence = hierarchy.largest_persistence();
+  report.regions = static_cast<std::int64_t>(regions.count());
+}
+
+void summarise_components(const Components &components, Report &report)
+{
+  report.boundary_faces = static_cast<std::int64_t>(components.of_face.size());
+  report.components = static_cast<std::int64_t>(components.count());
+  report.components_kept = static_cast<std::int64_t>(components.kept);
+  report.component_sizes.assign(components.sizes.begin(),
+                                components.sizes.begin() +
+                                    static_cast<std::ptrdiff_t>(std::min<std::size_t>(components.kept, kMostListed)));
+}
+
+void collect_warnings(Report &report)
+{
+  if (report.non_finite_gradients > 0)
+    report.warnings.push_back(std::to_string(report.non_finite_gradients) +
+                              " samples have no finite gradient and were taken as walls");
+  if (report.mesh.watertight && std::abs(report.smoothing.volume_drift) > kLargestVolumeDrift) {
+    std::ostringstream warning;
+    warning << "smoothing changed the enclosed volume by " << 100 * report.smoothing.volume_drift
+            << " %; try a smaller --smooth";
+    report.warnings.push_back(warning.str());
+  }
+}
+
+} // namespace volsurf
