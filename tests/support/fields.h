@@ -187,9 +187,9 @@ inline Field make_field(std::uint64_t seed, std::int64_t max_size)
 /// A field with 2 .. max_size samples per axis, or, from a max_size of 6 on, with up to 20 along x.
 inline rc::Gen<Field> random_field(std::int64_t max_size = 6)
 {
-  return rc::gen::shrink(
-      rc::gen::noShrink(rc::gen::map(random_seed(), [max_size](auto seed) { return make_field(seed, max_size); })),
-      crops);
+  const auto fields =
+      rc::gen::noShrink(rc::gen::map(random_seed(), [max_size](auto seed) { return make_field(seed, max_size); }));
+  return rc::gen::shrink(fields, [](const Field &field) { return crops(field); });
 }
 
 } // namespace volsurf::support
