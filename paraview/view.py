@@ -56,7 +56,7 @@ def open_surface(path):
     surface = simple.XMLPolyDataReader(FileName=[path])
     surface.UpdatePipeline()
     if surface.GetDataInformation().GetNumberOfCells() == 0:
-        fail(f"{path}: holds no triangles")
+        fail(f"{path}: ParaView reads no triangles from it")
     return surface
 
 
