@@ -132,9 +132,9 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
 void add_finishing_options(CLI::App &app, Settings &settings)
 {
   app.add_option("--smooth", settings.smoothing.strength, "Smoothing, 0 (none) to 1 [0.5]")->group("Finishing");
-  app.add_option("--iterations", settings.smoothing.iterations, "Smoothing passes [20 + 40 * smooth]")
+  app.add_option("--iterations", settings.smoothing.iterations, "Smoothing passes [20 + 20 * smooth]")
       ->group("Finishing");
-  app.add_option("--passband", settings.smoothing.pass_band, "Smoothing filter's pass band [10^(-4 * smooth)]")
+  app.add_option("--passband", settings.smoothing.pass_band, "Smoothing filter's pass band [10^(-1 - 0.7 * smooth)]")
       ->group("Finishing");
 }
 
@@ -156,6 +156,10 @@ void add_general_options(CLI::App &app, Settings &settings, Texts &texts)
   app.add_option("--series", settings.series_uid, "UID of the DICOM series to read, where a folder holds several")
       ->group("General");
   app.add_option("--threads", settings.threads, "Threads; 0: all [0]")->group("General")->check(CLI::Range(0, 1024));
+  app.add_option("--max-memory", settings.max_memory_bytes,
+                 "Refuse a scan that would need more, as 8G [what is available]")
+      ->transform(CLI::AsSizeValue(false))
+      ->group("General");
   app.add_flag("-q,--quiet", texts.quiet, "Print errors only")->group("General");
   app.add_flag("-v,--verbose", texts.verbose, "Print what each stage found and took")->group("General")->excludes("-q");
   app.set_version_flag("--version", version_text())->group("General");

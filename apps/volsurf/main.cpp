@@ -75,8 +75,9 @@ void print_details(const volsurf::Report &report)
             << ", volume drift " << 100 * report.smoothing.volume_drift << " %\n";
   for (const auto &[stage, seconds] : report.seconds)
     std::cerr << "time        " << stage << ' ' << seconds << " s\n";
-  std::cerr << "memory      " << static_cast<double>(report.peak_memory_bytes) / 1e6 << " MB at most, "
-            << report.threads << " threads\n";
+  std::cerr << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(report.grid)) / 1e6
+            << " MB expected without the mesh, " << static_cast<double>(report.peak_memory_bytes) / 1e6
+            << " MB at most, " << report.threads << " threads\n";
 }
 
 int run_command(const volsurf::CommandLine &line)

@@ -45,7 +45,11 @@ Image::Pointer gradient_of(const Volume &volume, const RunOptions &options)
 template <typename Labels> std::size_t count_labels(const Labels &labels)
 {
   const auto *const first = labels.GetBufferPointer();
-  return std::unordered_set<typename Labels::PixelType>(first, first + labels.GetPixelContainer()->Size()).size();
+  std::unordered_set<typename Labels::PixelType> found{*first};
+  for (std::size_t i = 1; i < labels.GetPixelContainer()->Size(); ++i)
+    if (first[i] != first[i - 1])
+      found.insert(first[i]);
+  return found.size();
 }
 
 } // namespace

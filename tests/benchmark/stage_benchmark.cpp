@@ -28,8 +28,6 @@ namespace {
 
 using namespace volsurf;
 
-constexpr std::int64_t kPlanesPerSlab = 32; // enough slabs for two threads, few planes swept twice
-
 Volume noisy_phantom(std::int64_t size)
 {
   PhantomOptions options;
@@ -45,7 +43,7 @@ Volume noisy_phantom(std::int64_t size)
 std::vector<float> whole_field(const EdgeField &field, const Grid &grid)
 {
   std::vector<float> values(static_cast<std::size_t>(grid.sample_count()));
-  parallel_for_slabs(grid.size[2], kPlanesPerSlab, [&](const Slab &slab) {
+  parallel_for_slabs(grid.size[2], large_slab(grid.size[2]), [&](const Slab &slab) {
     for (std::int64_t z = slab.begin; z < slab.end; ++z)
       field.plane(z, values.data() + z * grid.size[0] * grid.size[1]);
   });
@@ -81,7 +79,9 @@ struct Stages {
     mesh = extract();
   }
 
-  StarSweep sweep() const { return sweep_stars(volume.grid.size, source, Exterior::none, kPlanesPerSlab, {}); }
+  std::int64_t planes_per_slab() const { return large_slab(volume.grid.size[2]); }
+  StarSweep sweep() const { return sweep_stars(volume.grid.size, source, Exterior::none, planes_per_slab(), {}); }
+  Basins label(StarSweep &input) const { return label_basins(cells(), input, Exterior::none, planes_per_slab()); }
   CellGrid cells() const { return CellGrid(merge.cells.size); }
   FaceSet boundary() const { return find_boundary(merge.cells, sides); }
 
@@ -132,7 +132,7 @@ void labels(benchmark::State &state, const Stages &stages)
     state.PauseTiming();
     StarSweep input = stages.sweep();
     state.ResumeTiming();
-    benchmark::DoNotOptimize(label_basins(stages.cells(), input, Exterior::none, kPlanesPerSlab));
+    benchmark::DoNotOptimize(stages.label(input));
   }
 }
 
@@ -141,7 +141,7 @@ void saddles(benchmark::State &state, const Stages &stages)
   for (auto _ : state) {
     state.PauseTiming();
     StarSweep input = stages.sweep();
-    const Basins basins = label_basins(stages.cells(), input, Exterior::none, kPlanesPerSlab);
+    const Basins basins = stages.label(input);
     state.ResumeTiming();
     benchmark::DoNotOptimize(saddle_edges(stages.cells(), basins, input));
   }
@@ -152,7 +152,7 @@ void hierarchy(benchmark::State &state, const Stages &stages)
   for (auto _ : state) {
     state.PauseTiming();
     StarSweep input = stages.sweep();
-    Basins basins = label_basins(stages.cells(), input, Exterior::none, kPlanesPerSlab);
+    Basins basins = stages.label(input);
     std::vector<SaddleEdge> edges = saddle_edges(stages.cells(), basins, input);
     state.ResumeTiming();
     benchmark::DoNotOptimize(make_hierarchy(basins, edges, Exterior::none));

@@ -116,6 +116,13 @@ TEST_F(BadInput, HugeClaimsAreRefusedBeforeAnyMemoryIsTaken)
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+TEST_F(BadInput, MoreMemoryThanAllowedIsRefusedWithTheFigure)
+{
+  const std::string path = ball();
+  expect_refused(path + " --delta 2 --max-memory 1M", 3, {path, "which need 0.08", "GB (--max-memory)"});
+  EXPECT_EQ(run(path + " --delta 2 --max-memory 1G -o ball.vtp").exit_code, 0);
+}
+
 TEST_F(BadInput, DevicesAreRefused)
 {
   expect_input_refused("/dev/zero", "found a device or pipe");

@@ -164,7 +164,7 @@ TEST_F(ReportFile, TellsOptionsAsUsed)
   EXPECT_EQ(options["report"], "r.json");
   EXPECT_EQ(options["exterior"], "none");
   EXPECT_EQ(options["surface"], "all");
-  EXPECT_EQ(options["iterations"], 40);
+  EXPECT_EQ(options["iterations"], 30);
   EXPECT_EQ(report(ball() + " --delta 2 --threads 1")["options"]["threads"], 1);
 }
 

@@ -490,15 +490,16 @@ TEST(ReadVolume, CountsSamplesThatAreNotFinite)
   EXPECT_TRUE(contains(refusal(folder / "a.nrrd"), "found 2 samples that are not finite"));
 }
 
-TEST(ReadVolume, RefusesMoreThanTheAllowedMemory)
+TEST(ReadVolume, AsksTheCallerBeforeItTakesMemory)
 {
   const TemporaryFolder folder;
   write_file(folder / "a.nrrd", nrrd_header("short", "3 4 5", "encoding: raw\n\n") + ramp<std::int16_t>(kSamples));
   ReadOptions options;
-  options.max_bytes = 240;
+  options.check_grid = [](const Grid &grid) { EXPECT_EQ(grid.sample_count(), 60); };
   expect_ramp(read_volume(folder / "a.nrrd", options));
-  options.max_bytes = 239;
-  EXPECT_TRUE(contains(refusal(folder / "a.nrrd", options), "allowed: at most 239 bytes"));
+  const std::string message = (folder / "a.nrrd").string() + ": found too much; allowed: less";
+  options.check_grid = [&](const Grid &) { throw InputError(message); };
+  EXPECT_TRUE(contains(refusal(folder / "a.nrrd", options), "found too much"));
 }
 
 TEST(ReadVolume, RefusesSizesThatAreNotThereWithoutTakingMemory)

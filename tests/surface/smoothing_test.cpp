@@ -31,10 +31,10 @@ Vec3 middle_of_cell(const Index3 &cell)
 }
 
 /// The cells whose centres lie within kRadius of a point, as basin 1 of 0 and 1.
-LabelledCells sphere_of_cells(const Vec3 &centre)
+LabelledCells sphere_of_cells(const Vec3 &centre, double radius = kRadius)
 {
   return label_cells({24, 24, 24}, 2,
-                     [&](const Index3 &p) { return distance_to(middle_of_cell(p), centre) < kRadius ? 1U : 0U; });
+                     [&](const Index3 &p) { return distance_to(middle_of_cell(p), centre) < radius ? 1U : 0U; });
 }
 
 /// A sphere cut in two by a plane through x = 12.
@@ -116,7 +116,7 @@ TEST(SmoothMesh, SphereKeepsItsVolumeAndLosesItsStairs)
   const Vec3 centre{12.2, 11.9, 12.4};
   const LabelledCells labels = sphere_of_cells(centre);
   const Mesh before = mesh_of(labels, grid_of(labels.cells.size), hull_sides(labels), true);
-  for (const double strength : {0.1, 0.3, 0.5}) {
+  for (const double strength : {0.1, 0.3, 0.5, 1.0}) {
     Mesh mesh = before;
     const SmoothingResult result = smooth_mesh(mesh, grid_of(labels.cells.size), {strength, {}, {}});
     EXPECT_LT(std::abs(result.volume_drift), 0.05) << strength;
@@ -124,6 +124,13 @@ TEST(SmoothMesh, SphereKeepsItsVolumeAndLosesItsStairs)
     EXPECT_LT(mean_distance_to_sphere(mesh, centre), 0.6 * mean_distance_to_sphere(before, centre)) << strength;
     EXPECT_TRUE(check_mesh(mesh).watertight);
   }
+}
+
+TEST(SmoothMesh, BallOfFourVoxelsKeepsItsVolumeAtTheDefault)
+{
+  const LabelledCells labels = sphere_of_cells({12.2, 11.9, 12.4}, 4);
+  Mesh mesh = mesh_of(labels, grid_of(labels.cells.size), hull_sides(labels), true);
+  EXPECT_LT(std::abs(smooth_mesh(mesh, grid_of(labels.cells.size), {}).volume_drift), 0.05);
 }
 
 TEST(SmoothMesh, CapsStayInTheirBorderPlanes)

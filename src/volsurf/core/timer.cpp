@@ -1,5 +1,6 @@
 #include "volsurf/core/timer.h"
 
+#include <fstream>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,8 +13,16 @@ std::int64_t peak_memory_bytes()
   return std::int64_t{1024} * usage.ru_maxrss;
 }
 
-std::uint64_t physical_memory_bytes()
+std::uint64_t available_memory_bytes()
 {
+  std::ifstream lines("/proc/meminfo");
+  for (std::string name, unit; lines >> name;) {
+    std::uint64_t kibibytes = 0;
+    lines >> kibibytes;
+    std::getline(lines, unit);
+    if (name == "MemAvailable:")
+      return 1024 * kibibytes;
+  }
   return static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
 }
 

@@ -33,7 +33,7 @@ private:
 /// The most memory that the process has had so far.
 std::int64_t peak_memory_bytes();
 
-/// The machine's memory.
-std::uint64_t physical_memory_bytes();
+/// The memory that this machine can still give without swapping.
+std::uint64_t available_memory_bytes();
 
 } // namespace volsurf

@@ -190,11 +190,13 @@ void check_memory(const Grid &grid, const fs::path &path, const ReadOptions &opt
   bool overflow = false;
   for (const std::int64_t size : grid.size)
     overflow = __builtin_mul_overflow(bytes, size, &bytes) || overflow;
-  if (overflow || static_cast<std::uint64_t>(bytes) > options.max_bytes)
+  if (overflow)
     fail(path,
          "a volume of " + std::to_string(grid.size[0]) + " x " + std::to_string(grid.size[1]) + " x " +
              std::to_string(grid.size[2]) + " samples",
-         "at most " + std::to_string(options.max_bytes) + " bytes as float32");
+         "fewer than 2^61 samples");
+  if (options.check_grid)
+    options.check_grid(grid);
 }
 
 std::string pixel_type_name(const itk::ImageIOBase &io)

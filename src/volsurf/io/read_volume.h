@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace volsurf {
 
 struct ReadOptions {
   std::string series_uid; ///< the series of a DICOM folder; needed where there are several; the start of its UID does
-  std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max(); ///< limit of the float32 samples' size
+  std::function<void(const Grid &)> check_grid; ///< called when the header is known, before memory is taken; may throw
 };
 
 /// What was read, for the report.

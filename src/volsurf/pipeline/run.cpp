@@ -63,7 +63,32 @@ void require_boundary(const Settings &settings, const Hierarchy &hierarchy, cons
   }
 }
 
+/// A run that would swap or be killed is better refused before it begins.
+void require_memory(const Settings &settings, const Grid &grid)
+{
+  const std::uint64_t needed = expected_memory_bytes(grid);
+  const std::uint64_t allowed = settings.max_memory_bytes.value_or(available_memory_bytes());
+  if (needed <= allowed)
+    return;
+  std::ostringstream message;
+  message.precision(3);
+  message << settings.input.string() << ": found " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
+          << " samples, which need " << static_cast<double>(needed) / 1e9
+          << " GB; allowed: " << static_cast<double>(allowed) / 1e9 << " GB ("
+          << (settings.max_memory_bytes ? "--max-memory" : "what is available") << ")";
+  throw InputError(message.str());
+}
+
 } // namespace
+
+std::uint64_t expected_memory_bytes(const Grid &grid)
+{
+  constexpr double kBytesPerSample = 4 + 12; // float32 samples; labels, saddles, basins and faces
+  constexpr double kProgramBytes = 8e7;
+  const double samples =
+      static_cast<double>(grid.size[0]) * static_cast<double>(grid.size[1]) * static_cast<double>(grid.size[2]);
+  return static_cast<std::uint64_t>(kProgramBytes + kBytesPerSample * samples);
+}
 
 Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish)
 {
@@ -75,7 +100,8 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   report.threads = settings.threads > 0 ? settings.threads : available_threads();
 
   report_progress(progress, "read", 0);
-  const InputVolume input = read_volume(settings.input, {settings.series_uid, physical_memory_bytes()});
+  const InputVolume input =
+      read_volume(settings.input, {settings.series_uid, [&](const Grid &found) { require_memory(settings, found); }});
   Outputs outputs(settings);
   const Grid &grid = input.volume.grid;
   report.source = input.source;

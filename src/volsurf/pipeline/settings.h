@@ -38,6 +38,7 @@ struct Settings {
   Frame frame = Frame::lps;
 
   int threads = 0; ///< 0: all that are available
+  std::optional<std::uint64_t> max_memory_bytes; ///< not set: what is available
 };
 
 /// The options that decide the result, as a command line would give them: the provenance of the outputs. Threads and

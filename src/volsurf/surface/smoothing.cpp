@@ -135,8 +135,8 @@ SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions
   if (options.strength == 0 || mesh.points.empty())
     return {};
   SmoothingResult result;
-  result.iterations = options.iterations.value_or(static_cast<int>(std::lround(20 + 40 * options.strength)));
-  result.pass_band = options.pass_band.value_or(std::max(std::pow(10.0, -4 * options.strength), kSmallestPassBand));
+  result.iterations = options.iterations.value_or(static_cast<int>(std::lround(20 + 20 * options.strength)));
+  result.pass_band = options.pass_band.value_or(std::pow(10.0, -1 - 0.7 * options.strength));
 
   const double volume_before = signed_volume_mm3(mesh);
   const auto cap_points = find_cap_points(mesh, grid);

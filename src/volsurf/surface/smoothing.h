@@ -12,9 +12,11 @@ namespace volsurf {
 
 struct SmoothingOptions {
   double strength = 0.5;           ///< 0 .. 1; 0 leaves the faces as they are
-  std::optional<int> iterations;   ///< not set: 20 + 40 * strength, as 3D Slicer does
-  std::optional<double> pass_band; ///< not set: 10^(-4 * strength), but at least kSmallestPassBand
+  std::optional<int> iterations;   ///< not set: 20 + 20 * strength
+  std::optional<double> pass_band; ///< not set: 10^(-1 - 0.7 * strength)
 };
+// Measured on balls of 4, 8 and 16 voxels: pass bands from 0.1 to 0.03 leave 0.06 to 0.1 voxel of the staircase's 0.45
+// and keep the volume within 2 %; at 0.01, which 3D Slicer uses in the middle of its range, the smallest one lost 43 %.
 
 /// Below these the filter was measured to shrink, or to overflow.
 constexpr int kFewestIterations = 15;
