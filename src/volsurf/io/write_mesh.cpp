@@ -90,31 +90,27 @@ void add_field_data(vtkPolyData &data, const Provenance &provenance, Frame frame
   }
 }
 
-void check_vtp_end(const fs::path &file)
-{
-  const std::string expected = "</VTKFile>\n";
-  std::string found(expected.size(), ' ');
-  std::ifstream stream(file, std::ios::binary);
-  stream.seekg(-static_cast<std::streamoff>(expected.size()), std::ios::end);
-  stream.read(found.data(), static_cast<std::streamsize>(found.size()));
-  if (!stream || found != expected)
-    fail(file, "its end is missing; is the disk full?");
-}
-
 void write_vtp(const Mesh &mesh, const fs::path &file, const Provenance &provenance, Frame frame)
 {
   const vtkSmartPointer<vtkPolyData> data = to_poly_data(mesh, frame);
   add_cell_arrays(mesh, *data);
   data->GetCellData()->SetActiveScalars("Persistence");
   add_field_data(*data, provenance, frame);
+  const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's present expat reads no appended data
   writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1); // on 3.4 million triangles 4 % larger than at 5, in half of the time
   writer->SetByteOrderToLittleEndian();
-  run(*writer, file);
-  check_vtp_end(file);
+  writer->WriteToOutputStringOn(); // in this mode the writer breaks down on a full disk
+  if (writer->Write() == 0)
+    fail(file, "the writer failed");
+  const std::string text = writer->GetOutputString();
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
+  if (!stream)
+    fail(file, "its end is missing; is the disk full?");
 }
 
 void write_stl(const Mesh &mesh, const fs::path &file, const Provenance &provenance, Frame frame)

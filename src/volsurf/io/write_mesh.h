@@ -16,7 +16,7 @@ OutputKind output_kind_of(const std::filesystem::path &path);
 
 /// Writes a mesh as vtp, stl (binary), ply (binary) or obj; vdb holds no mesh. Coordinates are millimetres in `frame`,
 /// and the file says which:
-/// - vtp: all arrays, by cell; field data SPACE, Version, Source, Options; appended raw data, zlib
+/// - vtp: all arrays, by cell; field data SPACE, Version, Source, Options; inline binary data, zlib
 /// - stl: the header holds SPACE and, as far as 80 bytes go, the version and source
 /// - ply, obj: comments SPACE, Version, Source, Options; points and triangles only
 /// The same input makes the same bytes. Throws OutputError, also where the disk is full.

@@ -37,7 +37,7 @@ struct Settings {
   std::optional<std::filesystem::path> report; ///< JSON
   Frame frame = Frame::lps;
 
-  int threads = 0; ///< 0: all that are available
+  int threads = 0;                               ///< 0: all that are available
   std::optional<std::uint64_t> max_memory_bytes; ///< not set: what is available
 };
 
