@@ -131,7 +131,7 @@ class Laboratory:
                 if round_number >= SLOW_ROUNDS and median(seconds(runs)) > SLOW_SECONDS:
                     continue
                 runs.append(self.run(case, program, 1 if quick else program.repeats))
-                print(f"{case.name}: {program.label}, {program.threads} threads: {seconds(runs)[-1]:.3f} s", flush=True)
+                print(f"{case.name}: {program.label}, on {program.threads}: {seconds(runs)[-1]:.3f} s", flush=True)
 
 
 def seconds(runs):
