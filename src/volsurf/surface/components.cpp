@@ -59,48 +59,56 @@ private:
         join_row(edge_axis, y, z);
   }
 
+  /// Faces are met in the order of their indices, so that counting gives them.
   void join_row(int edge_axis, std::int64_t y, std::int64_t z)
   {
     const int a = (edge_axis + 1) % 3;
     const int b = (edge_axis + 2) % 3;
     for (std::int64_t w = 0; w < faces_.words_per_row(); ++w) {
-      std::uint64_t any = shifted(a, b, w, y, z) | shifted(b, a, w, y, z);
-      any |= faces_.row(a, y, z)[w] | faces_.row(b, y, z)[w];
+      std::array<FaceWord, 4> around{word_at(a, w, y, z), word_below(a, b, w, y, z), word_at(b, w, y, z),
+                                     word_below(b, a, w, y, z)};
+      std::uint64_t any = around[0].bits | around[1].bits | around[2].bits | around[3].bits;
       for (; any != 0; any &= any - 1)
-        join_edge(a, b, {64 * w + __builtin_ctzll(any), y, z});
+        join_edge(around, any & (~any + 1));
     }
   }
 
-  /// Bit x: is there a face of axis `a` whose lowest corner is one lower along axis `lower` than (x, y, z)?
-  std::uint64_t shifted(int a, int lower, std::int64_t w, std::int64_t y, std::int64_t z) const
-  {
-    if (lower == 0) {
-      const std::uint64_t *const words = faces_.row(a, y, z);
-      return words[w] << 1 | (w > 0 ? words[w - 1] >> 63 : 0);
-    }
-    const std::int64_t row_y = lower == 1 ? y - 1 : y;
-    const std::int64_t row_z = lower == 2 ? z - 1 : z;
-    return row_y < 0 || row_z < 0 ? 0 : faces_.row(a, row_y, row_z)[w];
-  }
+  /// 64 faces of a row, of which the next to be met has an index.
+  struct FaceWord {
+    std::uint64_t bits;
+    FaceIndex next;
+  };
 
-  void join_edge(int a, int b, const Index3 &p)
+  void join_edge(std::array<FaceWord, 4> &around, std::uint64_t bit)
   {
-    Index3 below_b = p;
-    --below_b[b];
-    Index3 below_a = p;
-    --below_a[a];
     FaceIndex previous = 0;
     bool has_previous = false;
-    for (const FacePosition &face :
-         {FacePosition{a, p}, FacePosition{a, below_b}, FacePosition{b, p}, FacePosition{b, below_a}}) {
-      if (!faces_.contains(face.axis, face.corner[0], face.corner[1], face.corner[2]))
+    for (FaceWord &word : around) {
+      if ((word.bits & bit) == 0)
         continue;
-      const FaceIndex index = faces_.index_of(face.axis, face.corner[0], face.corner[1], face.corner[2]);
+      const FaceIndex index = word.next++;
       if (has_previous)
         forest_.join(previous, index);
       previous = index;
       has_previous = true;
     }
+  }
+
+  FaceWord word_at(int axis, std::int64_t w, std::int64_t y, std::int64_t z) const
+  {
+    return {faces_.row(axis, y, z)[w], faces_.faces_before(axis, w, y, z)};
+  }
+
+  /// Bit x: is there a face of `axis` whose lowest corner is one lower along axis `lower` than (x, y, z)?
+  FaceWord word_below(int axis, int lower, std::int64_t w, std::int64_t y, std::int64_t z) const
+  {
+    if (lower == 1)
+      return y > 0 ? word_at(axis, w, y - 1, z) : FaceWord{0, 0};
+    if (lower == 2)
+      return z > 0 ? word_at(axis, w, y, z - 1) : FaceWord{0, 0};
+    const FaceWord word = word_at(axis, w, y, z);
+    const std::uint64_t carry = w > 0 ? faces_.row(axis, y, z)[w - 1] >> 63 : 0;
+    return {word.bits << 1 | carry, word.next - static_cast<FaceIndex>(carry)};
   }
 
   const FaceSet &faces_;

@@ -53,6 +53,12 @@ public:
     return faces_before_[word] + static_cast<FaceIndex>(__builtin_popcountll(before));
   }
 
+  /// The number of faces before word `word` of a row.
+  FaceIndex faces_before(int axis, std::int64_t word, std::int64_t y, std::int64_t z) const
+  {
+    return faces_before_[row_start(axis, y, z) + static_cast<std::size_t>(word)];
+  }
+
   /// The number of faces before plane z (0 .. samples()[2]).
   FaceIndex faces_before_plane(std::int64_t z) const
   {
