@@ -14,7 +14,7 @@ usage: benchmark.sh [--quick] [--huge] [--out FILE] [DIR]
 Builds volsurf and its benchmarks, fetches the real volumes and makes the phantoms into DIR, runs each program several
 times in turn, and writes docs/benchmarks.md. The machine should do nothing else: a busy one gives figures of no worth.
   --quick     one run of each, to see whether all works
-  --huge      also the 512^3 phantom mirrored to 1024^3; needs 20 GB of memory
+  --huge      also the 512^3 phantom mirrored to 1024^3; needs 16 GB of memory, and 5 minutes more
   --out FILE  instead of docs/benchmarks.md
 
 It takes about 20 minutes, --quick 5; the first time 10 more, to build and to get the volumes (1 GB of disk).

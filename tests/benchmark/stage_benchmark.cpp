@@ -1,7 +1,8 @@
 // stage_benchmark [FILE] [Google Benchmark's options]: each stage by itself, per sample of the volume.
 //
 // The volumes are head phantoms with 2 % of impulses, and FILE if it is given. Delta is a tenth of the largest
-// persistence, so that each volume has a surface. What a stage consumes is made anew outside of its time.
+// persistence, so that each volume has a surface. What a stage consumes is made anew outside of its time. Google
+// Benchmark's warning that Debian built it as DEBUG can be passed over: stages take milliseconds.
 #include "volsurf/core/parallel.h"
 #include "volsurf/field/gradient.h"
 #include "volsurf/io/read_volume.h"
