@@ -47,7 +47,8 @@ RowPointers kernel_rows(const float *first, std::int64_t stride, std::int64_t ce
 {
   RowPointers rows;
   for (int k = -radius; k <= radius; ++k)
-    rows[static_cast<std::size_t>(k + radius)] = first + std::clamp<std::int64_t>(centre + k, 0, last) * stride;
+    rows[static_cast<std::size_t>(k) + static_cast<std::size_t>(radius)] =
+        first + std::clamp<std::int64_t>(centre + k, 0, last) * stride;
   return rows;
 }
 

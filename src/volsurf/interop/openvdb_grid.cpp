@@ -49,7 +49,7 @@ typename VdbGrid::Ptr to_vdb(const Grid &grid, const std::vector<Value> &values,
   // Dense wants a pointer it may write through; copyFromDense only reads.
   auto *data = const_cast<VdbValue *>(reinterpret_cast<const VdbValue *>(values.data()));
   const openvdb::tools::Dense<VdbValue, openvdb::tools::LayoutXYZ> dense(box, data);
-  const auto result = VdbGrid::create(VdbValue(0));
+  auto result = VdbGrid::create(VdbValue(0));
   openvdb::tools::copyFromDense(dense, *result, VdbValue(0));
   result->setTransform(index_to_world_transform(grid, frame));
   return result;
@@ -69,15 +69,15 @@ void describe(openvdb::GridBase &grid, const char *name, const Provenance &prove
 /// makes equal input give equal bytes; OpenVDB only compares it to tell whether a file changed while it was open.
 void fix_uuid(std::fstream &stream)
 {
-  constexpr std::streamoff offset = 8 + 3 * 4 + 1;
-  constexpr char uuid[] = "766f6c73-7572-4665-8000-000000000000";
-  std::string found(sizeof(uuid) - 1, ' ');
-  stream.seekg(offset);
+  constexpr std::streamoff kOffset = 8 + 3 * 4 + 1;
+  constexpr char kUuid[] = "766f6c73-7572-4665-8000-000000000000";
+  std::string found(sizeof(kUuid) - 1, ' ');
+  stream.seekg(kOffset);
   stream.read(found.data(), static_cast<std::streamsize>(found.size()));
   if (found[8] != '-' || found[13] != '-' || found[18] != '-' || found[23] != '-')
     throw Error("this version of OpenVDB keeps its UUID elsewhere");
-  stream.seekp(offset);
-  stream.write(uuid, sizeof(uuid) - 1);
+  stream.seekp(kOffset);
+  stream.write(kUuid, sizeof(kUuid) - 1);
 }
 
 } // namespace

@@ -39,7 +39,7 @@ template <typename Array> vtkSmartPointer<vtkCellArray> to_cells(const std::vect
   vtkNew<Array> offsets;
   vtkNew<Array> corners;
   offsets->SetNumberOfValues(static_cast<vtkIdType>(triangles.size()) + 1);
-  corners->SetNumberOfValues(static_cast<vtkIdType>(3 * triangles.size()));
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(triangles.size()));
   Id *offset = offsets->GetPointer(0);
   Id *corner = corners->GetPointer(0);
   *offset = 0;

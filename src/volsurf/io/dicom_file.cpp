@@ -123,7 +123,7 @@ private:
     } else {
       need(length);
       if (tag_here == kTransferSyntax)
-        transfer_syntax_ = bytes_.substr(at_, length).c_str(); // without the padding zero
+        transfer_syntax_ = bytes_.substr(at_, length).data(); // without the padding zero
       if (tag_here == kSamplesPerPixel && (length != 2 || number(at_, 2) < 1 || number(at_, 2) > 4))
         throw Malformed(); // GDCM aborts
       at_ += length;

@@ -132,13 +132,13 @@ void stack(Grid &grid, const std::vector<Vec3> &positions, const fs::path &path)
   const std::size_t steps = positions.size() - 1;
   const Vec3 way = minus(positions.back(), positions.front());
   const double spacing_mm = length(way) / static_cast<double>(steps);
-  constexpr double tolerance = 0.1; // of the spacing; positions in DICOM files are decimal and often rounded
+  constexpr double kTolerance = 0.1; // of the spacing; positions in DICOM files are decimal and often rounded
   for (std::size_t i = 1; i < positions.size(); ++i)
-    if (!(length(minus(positions[i], positions[i - 1])) > tolerance * spacing_mm))
+    if (!(length(minus(positions[i], positions[i - 1])) > kTolerance * spacing_mm))
       fail(path, "two slices at one position", "one slice per position (one time point, one echo)");
   for (std::size_t i = 1; i < positions.size(); ++i) {
     const double step_mm = length(minus(positions[i], positions[i - 1]));
-    if (std::abs(step_mm - spacing_mm) > tolerance * spacing_mm)
+    if (std::abs(step_mm - spacing_mm) > kTolerance * spacing_mm)
       fail(path,
            "a step of " + std::to_string(step_mm) + " mm between slices " + std::to_string(i - 1) + " and " +
                std::to_string(i) + " where the mean is " + std::to_string(spacing_mm) + " mm",
@@ -165,12 +165,12 @@ void sort_by_position(std::vector<Slice> &slices)
 
 bool same_plane(const Grid &a, const Grid &b)
 {
-  constexpr double tolerance = 1e-3;
+  constexpr double kTolerance = 1e-3;
   bool same = a.size == b.size;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    same = same && std::abs(a.spacing_mm[axis] - b.spacing_mm[axis]) < tolerance;
+    same = same && std::abs(a.spacing_mm[axis] - b.spacing_mm[axis]) < kTolerance;
     for (std::size_t row = 0; row < 3; ++row)
-      same = same && std::abs(a.direction[row][axis] - b.direction[row][axis]) < tolerance;
+      same = same && std::abs(a.direction[row][axis] - b.direction[row][axis]) < kTolerance;
   }
   return same;
 }

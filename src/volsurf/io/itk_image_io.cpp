@@ -58,8 +58,8 @@ void check_geometry(const Grid &grid, const fs::path &path)
     for (const double cosine : grid.direction[axis])
       largest = std::max(largest, std::isfinite(cosine) ? std::abs(cosine) : 1e300);
   }
-  constexpr double smallest_determinant = 1e-6;
-  if (largest > 1e6 || !(std::abs(determinant(grid.direction)) > smallest_determinant))
+  constexpr double kSmallestDeterminant = 1e-6;
+  if (largest > 1e6 || !(std::abs(determinant(grid.direction)) > kSmallestDeterminant))
     fail(path, "a singular direction matrix", "three independent axes");
 }
 

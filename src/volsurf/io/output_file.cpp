@@ -27,11 +27,11 @@ fs::path folder_of(const fs::path &file)
 /// Also where the link's own target does not exist yet.
 fs::path follow_links(const fs::path &target)
 {
-  constexpr int most_links = 40;
+  constexpr int kMostLinks = 40;
   fs::path destination = target;
   std::error_code error;
   for (int i = 0; fs::is_symlink(destination, error); ++i) {
-    if (i == most_links)
+    if (i == kMostLinks)
       throw OutputError(target.string() + ": the link leads to itself");
     destination = destination.parent_path() / fs::read_symlink(destination); // "/" keeps an absolute path as it is
   }
@@ -63,7 +63,7 @@ fs::path create_temporary(const fs::path &target, const fs::path &destination)
 {
   for (int number = 0;; ++number) {
     const std::string name = ".volsurf-" + std::to_string(getpid()) + "-" + std::to_string(number);
-    const fs::path file = folder_of(destination) / (name + destination.extension().string());
+    fs::path file = folder_of(destination) / (name + destination.extension().string());
     const int descriptor = open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
     if (descriptor >= 0) {
       close(descriptor);

@@ -92,11 +92,12 @@ void warn_of_shear(const Grid &grid, std::vector<std::string> &warnings)
         product += grid.direction[row][a] * grid.direction[row][b];
       worst = std::max(worst, std::abs(product));
     }
-  constexpr double tolerance = 1e-3; // a drift of half a voxel across 512
-  constexpr double degrees = 57.29577951308232;
-  if (worst > tolerance)
+  constexpr double kTolerance = 1e-3; // a drift of half a voxel across 512
+  constexpr double kDegrees = 57.29577951308232;
+  if (worst > kTolerance)
     warnings.push_back("the volume's axes are not orthogonal (off by " +
-                       std::to_string(std::asin(std::min(worst, 1.0)) * degrees) + " degrees), as of a tilted gantry");
+                       std::to_string(std::asin(std::min(worst, 1.0)) * kDegrees) +
+                       " kDegrees), as of a tilted gantry");
 }
 
 void check_finite(const Volume &volume, const fs::path &path)

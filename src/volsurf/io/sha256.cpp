@@ -43,11 +43,11 @@ std::uintmax_t add_file(EVP_MD_CTX *context, const std::filesystem::path &file)
 
 std::string hexadecimal(const unsigned char *bytes, unsigned int count)
 {
-  static constexpr char digits[] = "0123456789abcdef";
+  static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
   for (unsigned int i = 0; i < count; ++i) {
-    text += digits[bytes[i] >> 4];
-    text += digits[bytes[i] & 15];
+    text += kDigits[bytes[i] >> 4];
+    text += kDigits[bytes[i] & 15];
   }
   return text;
 }

@@ -143,7 +143,7 @@ void write_ply(const Mesh &mesh, const fs::path &file, const Provenance &provena
   writer->SetFileTypeToBinary();
   writer->SetDataByteOrderToLittleEndian();
   for (const auto &[name, value] : labelled(provenance, frame))
-    writer->AddComment(name + "=" + value);
+    writer->AddComment(std::string(name).append("=").append(value));
   run(*writer, file);
   const std::uintmax_t point_bytes = 12 * mesh.points.size();
   const std::uintmax_t triangle_bytes = 13 * mesh.triangles.size();

@@ -55,10 +55,10 @@ double diencephalon(const Vec3 &left)
 
 double brain_stem(const Vec3 &p)
 {
-  constexpr std::array<TubePoint, 5> axis{TubePoint{{0, 8, 2}, 12}, TubePoint{{0, 11, -24}, 14},
-                                          TubePoint{{0, 17, -44}, 11}, TubePoint{{0, 24, -70}, 7.5},
-                                          TubePoint{{0, 26, -kFarMm}, 7.5}};
-  return tube(p, axis, 4);
+  constexpr std::array<TubePoint, 5> kAxis{TubePoint{{0, 8, 2}, 12}, TubePoint{{0, 11, -24}, 14},
+                                           TubePoint{{0, 17, -44}, 11}, TubePoint{{0, 24, -70}, 7.5},
+                                           TubePoint{{0, 26, -kFarMm}, 7.5}};
+  return tube(p, kAxis, 4);
 }
 
 double cerebellum_hull(const Vec3 &p)
@@ -74,23 +74,23 @@ double peduncle(const Vec3 &left)
 
 double corpus_callosum(const Vec3 &left)
 {
-  constexpr std::array<TubePoint, 5> arch{TubePoint{{0, -31, 22}, 5}, TubePoint{{0, -22, 32}, 4.5},
-                                          TubePoint{{0, 2, 38}, 4}, TubePoint{{0, 26, 35}, 4.5},
-                                          TubePoint{{0, 38, 25}, 5.5}};
+  constexpr std::array<TubePoint, 5> kArch{TubePoint{{0, -31, 22}, 5}, TubePoint{{0, -22, 32}, 4.5},
+                                           TubePoint{{0, 2, 38}, 4}, TubePoint{{0, 26, 35}, 4.5},
+                                           TubePoint{{0, 38, 25}, 5.5}};
   constexpr double kHalfBreadthMm = 16;
-  return tube({std::max(left[0] - kHalfBreadthMm, 0.0), left[1], left[2]}, arch, 4);
+  return tube({std::max(left[0] - kHalfBreadthMm, 0.0), left[1], left[2]}, kArch, 4);
 }
 
 double ventricles(const Vec3 &left)
 {
-  constexpr std::array<TubePoint, 5> body{TubePoint{{8, -28, 19}, 4.5}, TubePoint{{8.5, -4, 28}, 4.5},
-                                          TubePoint{{14, 20, 27}, 5}, TubePoint{{21, 34, 16}, 6},
-                                          TubePoint{{24, 55, 12}, 3}};
-  constexpr std::array<TubePoint, 3> temporal_horn{TubePoint{{21, 34, 16}, 5}, TubePoint{{36, 16, -8}, 3},
+  constexpr std::array<TubePoint, 5> kBody{TubePoint{{8, -28, 19}, 4.5}, TubePoint{{8.5, -4, 28}, 4.5},
+                                           TubePoint{{14, 20, 27}, 5}, TubePoint{{21, 34, 16}, 6},
+                                           TubePoint{{24, 55, 12}, 3}};
+  constexpr std::array<TubePoint, 3> kTemporalHorn{TubePoint{{21, 34, 16}, 5}, TubePoint{{36, 16, -8}, 3},
                                                    TubePoint{{38, -10, -13}, 3}};
   const double third = ellipsoid(left, {0, 6, 11}, {2.2, 15, 11});
   const double fourth = ellipsoid(left, {0, 25, -34}, {7, 4, 10});
-  const double lateral = smooth_union(tube(left, body, 5), tube(left, temporal_horn, 3), 3);
+  const double lateral = smooth_union(tube(left, kBody, 5), tube(left, kTemporalHorn, 3), 3);
   return std::min({lateral, third, fourth});
 }
 

@@ -22,8 +22,9 @@ void summarise_regions(const RegionMerge &merge, const Regions &regions, Report 
       continue; // the exterior has no place
     const CellId root = hierarchy.roots[basin];
     const RegionId id = regions.of_basin[basin];
-    const Vec3 centre{static_cast<double>(root % n[0]) + 0.5, static_cast<double>(root / n[0] % n[1]) + 0.5,
-                      static_cast<double>(root / n[0] / n[1]) + 0.5};
+    const Index3 cell{root % n[0], root / n[0] % n[1], root / n[0] / n[1]};
+    const Vec3 centre{static_cast<double>(cell[0]) + 0.5, static_cast<double>(cell[1]) + 0.5,
+                      static_cast<double>(cell[2]) + 0.5};
     report.strongest_regions.push_back(
         {id, hierarchy.persistence[basin], regions.cell_counts[id - 1], index_to_world(report.grid, centre)});
   }

@@ -151,10 +151,11 @@ std::vector<double> areas(const FaceSet &faces, const Grid &grid, const std::vec
   std::vector<std::array<std::int64_t, 3>> faces_of_axis(count);
   faces.for_each(0, faces.samples()[2],
                  [&](FaceIndex index, const FacePosition &face) { ++faces_of_axis[of_face[index]][face.axis]; });
-  std::vector<double> sizes;
-  for (const auto &n : faces_of_axis)
-    sizes.push_back(static_cast<double>(n[0]) * area[0] + static_cast<double>(n[1]) * area[1] +
-                    static_cast<double>(n[2]) * area[2]);
+  std::vector<double> sizes(count);
+  std::transform(faces_of_axis.begin(), faces_of_axis.end(), sizes.begin(), [&](const auto &n) {
+    return static_cast<double>(n[0]) * area[0] + static_cast<double>(n[1]) * area[1] +
+           static_cast<double>(n[2]) * area[2];
+  });
   return sizes;
 }
 

@@ -54,10 +54,11 @@ PointNumbering::PointNumbering(const FaceSet &faces, const IsInside &is_inside)
 
 void PointNumbering::mark_used_samples()
 {
-  const auto &[nx, ny, nz] = faces_.samples();
-  parallel_for_slabs(nz, kPlanesPerSlab, [&, ny_ = ny](const Slab &slab) {
+  const std::int64_t ny = faces_.samples()[1];
+  const std::int64_t nz = faces_.samples()[2];
+  parallel_for_slabs(nz, kPlanesPerSlab, [&](const Slab &slab) {
     for (std::int64_t z = slab.begin; z < slab.end; ++z)
-      for (std::int64_t y = 0; y < ny_; ++y)
+      for (std::int64_t y = 0; y < ny; ++y)
         for (std::int64_t w = 0; w < words_per_row_; ++w) {
           std::uint64_t word = 0;
           for (std::int64_t fz = std::max<std::int64_t>(z - 1, 0); fz <= z; ++fz) {
@@ -67,7 +68,7 @@ void PointNumbering::mark_used_samples()
           }
           for (std::int64_t fy = std::max<std::int64_t>(y - 1, 0); fy <= y; ++fy)
             word |= with_next(faces_.row(2, fy, z), w);
-          used_[static_cast<std::size_t>((z * ny_ + y) * words_per_row_ + w)] = word;
+          used_[static_cast<std::size_t>((z * ny + y) * words_per_row_ + w)] = word;
         }
   });
 }
@@ -75,14 +76,15 @@ void PointNumbering::mark_used_samples()
 void PointNumbering::find_splits(const IsInside &is_inside)
 {
   const SheetTables &tables = sheet_tables();
-  const auto &[nx, ny, nz] = faces_.samples();
+  const std::int64_t ny = faces_.samples()[1];
+  const std::int64_t nz = faces_.samples()[2];
   std::vector<std::vector<Split>> slabs(static_cast<std::size_t>(slab_count(nz, kPlanesPerSlab)));
-  parallel_for_slabs(nz, kPlanesPerSlab, [&, ny_ = ny](const Slab &slab) {
-    for (std::int64_t row = slab.begin * ny_; row < slab.end * ny_; ++row)
+  parallel_for_slabs(nz, kPlanesPerSlab, [&](const Slab &slab) {
+    for (std::int64_t row = slab.begin * ny; row < slab.end * ny; ++row)
       for (std::int64_t w = 0; w < words_per_row_; ++w)
         for (std::uint64_t rest = used_[static_cast<std::size_t>(row * words_per_row_ + w)]; rest != 0;
              rest &= rest - 1) {
-          const Index3 p{64 * w + __builtin_ctzll(rest), row % ny_, row / ny_};
+          const Index3 p{64 * w + __builtin_ctzll(rest), row % ny, row / ny};
           const unsigned faces = star_faces(p);
           if (!tables.may_split[faces])
             continue;
@@ -156,17 +158,18 @@ PointId PointNumbering::midpoint(const FacePosition &face, const Index3 &sample,
 
 void PointNumbering::for_each_point(const std::function<void(PointId, const Vec3 &)> &visit) const
 {
-  const auto &[nx, ny, nz] = faces_.samples();
+  const std::int64_t ny = faces_.samples()[1];
+  const std::int64_t nz = faces_.samples()[2];
   const auto as_position = [](const Index3 &p) {
     return Vec3{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   };
-  parallel_for_slabs(ny * nz, 256, [&, ny_ = ny](const Slab &rows) {
+  parallel_for_slabs(ny * nz, 256, [&](const Slab &rows) {
     for (std::int64_t row = rows.begin; row < rows.end; ++row)
       for (std::int64_t w = 0; w < words_per_row_; ++w) {
         const auto word = static_cast<std::size_t>(row * words_per_row_ + w);
         PointId point = points_before_[word];
         for (std::uint64_t rest = used_[word]; rest != 0; rest &= rest - 1)
-          visit(point++, as_position({64 * w + __builtin_ctzll(rest), row % ny_, row / ny_}));
+          visit(point++, as_position({64 * w + __builtin_ctzll(rest), row % ny, row / ny}));
       }
   });
   for (const Split &split : splits_)
