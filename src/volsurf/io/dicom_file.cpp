@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -123,7 +124,7 @@ private:
     } else {
       need(length);
       if (tag_here == kTransferSyntax)
-        transfer_syntax_ = bytes_.substr(at_, length).data(); // without the padding zero
+        transfer_syntax_ = bytes_.substr(at_, std::min<std::size_t>(length, bytes_.find('\0', at_) - at_)); // unpadded
       if (tag_here == kSamplesPerPixel && (length != 2 || number(at_, 2) < 1 || number(at_, 2) > 4))
         throw Malformed(); // GDCM aborts
       at_ += length;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace volsurf {
 
@@ -20,6 +21,13 @@ constexpr BasinId kPointerFlag = 0x80000000U;
 bool is_pointer(BasinId entry)
 {
   return (entry & kPointerFlag) != 0;
+}
+
+/// condition ? a : b without a branch: here it would be a coin's throw.
+BasinId choose(bool condition, BasinId a, BasinId b)
+{
+  const BasinId mask = 0 - static_cast<BasinId>(condition);
+  return b ^ ((a ^ b) & mask);
 }
 
 /// A path of steps that leaves its slab. Exits have labels of their own, after those of all basins.
@@ -74,7 +82,7 @@ private:
   {
     if (target < 0 || target >= size_)
       return new_exit(begin_ + target);
-    BasinId entry = target < cell ? entries_[target] : static_cast<BasinId>(target) | kPointerFlag;
+    BasinId entry = choose(target < cell, entries_[target], static_cast<BasinId>(target) | kPointerFlag);
     while (is_pointer(entry) && (entry & ~kPointerFlag) < static_cast<std::uint64_t>(cell))
       entry = entries_[entry & ~kPointerFlag];
     return entry;
@@ -95,9 +103,9 @@ private:
     BasinId run_label = kUnknown;
     std::int64_t run_end = size_;
     for (std::int64_t cell = size_ - 1; cell >= 0; --cell) {
-      BasinId entry = entries_[cell];
-      if (is_pointer(entry))
-        entries_[cell] = entry = entries_[entry & ~kPointerFlag];
+      const BasinId own = entries_[cell];
+      const BasinId entry = entries_[choose(is_pointer(own), own & ~kPointerFlag, static_cast<BasinId>(cell))];
+      entries_[cell] = entry;
       if (entry != run_label) {
         count(run_label, run_end - cell - 1);
         run_label = entry;
@@ -190,6 +198,21 @@ std::int64_t checked_planes_per_slab(const CellGrid &cells, std::int64_t planes_
   return std::min(planes_per_slab, most);
 }
 
+/// Calls visit(SaddleEdge) for each saddle face of a slab between two basins.
+template <typename Visit>
+void for_each_edge(const CellGrid &cells, const Basins &basins, const SlabStars &stars, Visit visit)
+{
+  for (std::size_t i = 0; i < stars.saddles.size(); ++i) {
+    const auto cell = static_cast<CellId>(stars.saddles[i] >> 3);
+    const auto step = static_cast<Step>(stars.saddles[i] & 7U);
+    const BasinId a = basins.labels[cell];
+    const BasinId b =
+        step == kToExterior ? static_cast<BasinId>(basins.roots.size() - 1) : basins.labels[cell + cells.offset(step)];
+    if (a != b)
+      visit(SaddleEdge{stars.saddle_values[i], a, b});
+  }
+}
+
 } // namespace
 
 Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, std::int64_t planes_per_slab)
@@ -224,29 +247,22 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
 
 std::vector<SaddleEdge> saddle_edges(const CellGrid &cells, const Basins &basins, StarSweep &sweep)
 {
-  std::vector<std::vector<SaddleEdge>> slab_edges(sweep.slabs.size());
-  parallel_for_slabs(static_cast<std::int64_t>(sweep.slabs.size()), 1, [&](const Slab &slab) {
-    SlabStars &stars = sweep.slabs[static_cast<std::size_t>(slab.index)];
-    auto &edges = slab_edges[static_cast<std::size_t>(slab.index)];
-    for (std::size_t i = 0; i < stars.saddles.size(); ++i) {
-      const auto cell = static_cast<CellId>(stars.saddles[i] >> 3);
-      const auto step = static_cast<Step>(stars.saddles[i] & 7U);
-      const BasinId a = basins.labels[cell];
-      const BasinId b = step == kToExterior ? static_cast<BasinId>(basins.roots.size() - 1)
-                                            : basins.labels[cell + cells.offset(step)];
-      if (a != b)
-        edges.push_back({stars.saddle_values[i], a, b});
-    }
-    stars.saddles = {};
-    stars.saddle_values = {};
+  // Counted first, so that no more memory is taken than the edges need: here the merge is at its largest.
+  const auto slabs = static_cast<std::int64_t>(sweep.slabs.size());
+  std::vector<std::size_t> starts(sweep.slabs.size() + 1);
+  parallel_for_slabs(slabs, 1, [&](const Slab &slab) {
+    const auto index = static_cast<std::size_t>(slab.index);
+    for_each_edge(cells, basins, sweep.slabs[index], [&](const SaddleEdge &) { ++starts[index + 1]; });
   });
-
-  std::vector<SaddleEdge> all;
-  for (auto &edges : slab_edges) {
-    all.insert(all.end(), edges.begin(), edges.end());
-    edges = {};
-  }
-  return all;
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<SaddleEdge> edges(starts.back());
+  parallel_for_slabs(slabs, 1, [&](const Slab &slab) {
+    const auto index = static_cast<std::size_t>(slab.index);
+    std::size_t next = starts[index];
+    for_each_edge(cells, basins, sweep.slabs[index], [&](const SaddleEdge &edge) { edges[next++] = edge; });
+    sweep.slabs[index] = {};
+  });
+  return edges;
 }
 
 } // namespace volsurf

@@ -36,7 +36,7 @@ int first_joining_face(const Star &star, const Parts &parts)
   int best_face = -1;
   std::uint8_t best_layer = kNoLayer;
   float best_value = 0;
-  for (unsigned rest = star.faces; rest != 0; rest &= rest - 1) {
+  for (unsigned rest = star_tables().joining[star.faces]; rest != 0; rest &= rest - 1) {
     const int face = __builtin_ctz(rest);
     const int a = lower_octant(face);
     const int b = upper_octant(face);
@@ -59,12 +59,13 @@ SaddleFaces find_saddle_faces(const Star &star, int parts)
 {
   Parts joined = parts_before_saddles(star);
   SaddleFaces saddles;
-  while (saddles.count < parts - 1) {
+  for (;;) {
     const int face = first_joining_face(star, joined);
-    join(joined, lower_octant(face), upper_octant(face));
     saddles.faces[saddles.count++] = static_cast<std::uint8_t>(face);
+    if (saddles.count == parts - 1)
+      return saddles;
+    join(joined, lower_octant(face), upper_octant(face));
   }
-  return saddles;
 }
 
 } // namespace volsurf

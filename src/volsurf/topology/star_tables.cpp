@@ -63,6 +63,9 @@ std::unique_ptr<StarTables> make_tables()
   for (unsigned faces = 0; faces < 4096; ++faces) {
     const auto part = parts_of(faces);
     tables->parts[faces] = part;
+    for (int f = 0; f < kStarFaces; ++f)
+      if (has_bit(faces, f) && part[lower_octant(f)] != part[upper_octant(f)])
+        tables->joining[faces] = static_cast<std::uint16_t>(tables->joining[faces] | 1U << f);
     for (int o = 0; o < kOctants; ++o) {
       const bool alone = part[o] == 1U << o;
       const bool lowest_of_part = (part[o] & ((1U << o) - 1U)) == 0;

@@ -24,6 +24,9 @@ struct StarTables {
   /// parts[faces][o]: the set of octants that are joined to octant o by faces that are not newborn.
   std::array<std::array<std::uint8_t, kOctants>, 4096> parts;
 
+  /// joining[faces]: the newborn faces between two of those sets.
+  std::array<std::uint16_t, 4096> joining;
+
   /// part_counts[faces]: what is needed to count the parts that reach outside the star.
   struct PartCount {
     std::uint8_t joined;   ///< parts of two or more octants; none of these is newborn
