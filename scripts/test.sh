@@ -12,4 +12,5 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 cmake --preset release -DVOLSURF_BUILD_TESTS=ON
 cmake --build --preset release --parallel
+scripts/fetch_data.sh build/release/real-data || echo "test.sh: without real volumes; the tests that need them are skipped"
 exec ctest --preset release --label-exclude slow "$@"
