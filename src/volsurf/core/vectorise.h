@@ -18,8 +18,8 @@ namespace volsurf {
 
 /// Eight numbers at a time, at any address. Where there are no registers of that width the compiler takes two halves.
 /// Comparisons give masks, and mask ? a : b chooses lane by lane, so that one template serves single numbers, too.
-using Float8 = float __attribute__((vector_size(32), aligned(4), may_alias));
-using UInt8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
+using Float32x8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+using UInt32x8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
 constexpr int kLanes = 8;
 
 /// The lanes, or the single number, that begin at an address.

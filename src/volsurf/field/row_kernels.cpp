@@ -12,9 +12,9 @@ namespace {
 constexpr int kVectors = 4;                        // sums that are kept in registers at a time
 constexpr std::int64_t kStrip = kLanes * kVectors; // samples in them
 
-VOLSURF_LANES_INLINE const Float8 &vector_at(const float *row, std::int64_t i)
+VOLSURF_LANES_INLINE const Float32x8 &vector_at(const float *row, std::int64_t i)
 {
-  return lanes_at<Float8>(row + i);
+  return lanes_at<Float32x8>(row + i);
 }
 
 } // namespace
@@ -30,7 +30,7 @@ void smooth_row(KernelRows rows, const float *weights, int radius, std::int64_t 
   }
   for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
     const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
-    Float8 sums[kVectors];
+    Float32x8 sums[kVectors];
     for (int v = 0; v < kVectors; ++v)
       sums[v] = weights[0] * vector_at(rows[radius], at + kLanes * v);
     for (int k = 1; k <= radius; ++k)
@@ -38,7 +38,7 @@ void smooth_row(KernelRows rows, const float *weights, int radius, std::int64_t 
         sums[v] +=
             weights[k] * (vector_at(rows[radius - k], at + kLanes * v) + vector_at(rows[radius + k], at + kLanes * v));
     for (int v = 0; v < kVectors; ++v)
-      lanes_at<Float8>(out + at + kLanes * v) = sums[v];
+      lanes_at<Float32x8>(out + at + kLanes * v) = sums[v];
   }
 }
 
@@ -53,13 +53,13 @@ void derive_row(KernelRows rows, const float *weights, int radius, std::int64_t 
   }
   for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
     const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
-    Float8 sums[kVectors] = {};
+    Float32x8 sums[kVectors] = {};
     for (int k = 1; k <= radius; ++k)
       for (int v = 0; v < kVectors; ++v)
         sums[v] +=
             weights[k] * (vector_at(rows[radius + k], at + kLanes * v) - vector_at(rows[radius - k], at + kLanes * v));
     for (int v = 0; v < kVectors; ++v)
-      lanes_at<Float8>(out + at + kLanes * v) = sums[v];
+      lanes_at<Float32x8>(out + at + kLanes * v) = sums[v];
   }
 }
 

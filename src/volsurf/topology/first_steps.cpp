@@ -61,7 +61,7 @@ void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes, std::
   for (std::int64_t x = 0; count < kLanes && x < count; ++x)
     choose_steps<float, BasinId>(rows, x, codes);
   for (std::int64_t x = 0; count >= kLanes && x < count; x += kLanes)
-    choose_steps<Float8, UInt8>(rows, x + kLanes <= count ? x : count - kLanes, codes);
+    choose_steps<Float32x8, UInt32x8>(rows, x + kLanes <= count ? x : count - kLanes, codes);
   for (std::int64_t begin = 0; begin < count; begin += kLanes) {
     const std::int64_t end = begin + kLanes < count ? begin + kLanes : count;
     BasinId some = 0;
