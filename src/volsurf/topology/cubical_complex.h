@@ -58,11 +58,6 @@ constexpr BasinId step_code(Step step)
   return kFirstStepCode + step;
 }
 
-constexpr bool is_step_code(BasinId label)
-{
-  return label >= kFirstStepCode;
-}
-
 constexpr Step step_of(BasinId code)
 {
   return static_cast<Step>(code - kFirstStepCode);
