@@ -58,12 +58,6 @@ PlaneSource planes_of(const std::vector<float> &values, const Index3 &size)
   };
 }
 
-RegionId background_of(const RegionMerge &merge, const Regions &regions)
-{
-  const auto faces = count_border_faces(merge.cells, regions.of_basin, regions.count());
-  return static_cast<RegionId>(std::max_element(faces.begin(), faces.end()) - faces.begin());
-}
-
 /// A volume with what each stage makes of it.
 struct Stages {
   explicit Stages(Volume v)
@@ -71,7 +65,7 @@ struct Stages {
         values(whole_field(smoothed, volume.grid)), source(planes_of(values, volume.grid.size)),
         merge(merge_regions(volume.grid.size, source, {})),
         delta(0.1 * static_cast<double>(merge.hierarchy.largest_persistence())), regions(cut(merge.hierarchy, delta)),
-        background(background_of(merge, regions)), sides{regions.of_basin, 0}
+        background(regions.of_basin[merge.hierarchy.background]), sides{regions.of_basin, 0}
   {
     std::replace(sides.of_basin.begin(), sides.of_basin.end(), background, RegionId{0});
     FaceSet faces = boundary();
@@ -88,7 +82,7 @@ struct Stages {
 
   Mesh extract() const
   {
-    const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, background, regions.maxima[background - 1],
+    const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, background, merge.hierarchy.background,
                                           [&](BasinId a, BasinId b) { return saliency(merge.hierarchy, a, b); }};
     return extract_mesh(kept, volume.grid, sides, regions_of_cells, false);
   }

@@ -11,16 +11,10 @@ namespace volsurf::bench {
 
 namespace {
 
-RegionId background_of(const RegionMerge &merge, const Regions &regions)
-{
-  const auto faces = count_border_faces(merge.cells, regions.of_basin, regions.count());
-  return static_cast<RegionId>(std::max_element(faces.begin(), faces.end()) - faces.begin());
-}
-
 Mesh mesh_of(FaceSet faces, const Components &components, const Grid &grid, const Sides &sides,
              const RegionMerge &merge, const Regions &regions, RegionId background)
 {
-  const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, background, regions.maxima[background - 1],
+  const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, background, merge.hierarchy.background,
                                         [&](BasinId a, BasinId b) { return saliency(merge.hierarchy, a, b); }};
   return extract_mesh(keep_components(std::move(faces), components), grid, sides, regions_of_cells, false);
 }
@@ -59,7 +53,7 @@ FieldOptions field_options(const RunOptions &options)
 Sides sides_of(const RegionMerge &merge, const Regions &regions)
 {
   Sides sides{regions.of_basin, 0};
-  std::replace(sides.of_basin.begin(), sides.of_basin.end(), background_of(merge, regions), RegionId{0});
+  std::replace(sides.of_basin.begin(), sides.of_basin.end(), regions.of_basin[merge.hierarchy.background], RegionId{0});
   return sides;
 }
 
@@ -83,8 +77,8 @@ Outcome run_volsurf(const Volume &volume, const RunOptions &options, bool with_m
                    {"faces", faces.size()},
                    {"components", components.count()}};
   if (with_mesh) {
-    const Mesh mesh =
-        mesh_of(std::move(faces), components, volume.grid, sides, merge, regions, background_of(merge, regions));
+    const Mesh mesh = mesh_of(std::move(faces), components, volume.grid, sides, merge, regions,
+                              regions.of_basin[merge.hierarchy.background]);
     timer.lap("mesh");
     outcome.facts["triangles"] = mesh.triangles.size();
   }

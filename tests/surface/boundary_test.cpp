@@ -81,15 +81,3 @@ RC_GTEST_PROP(FaceSet, NumbersItsFacesInTheOrderThatItVisitsThem, ())
   RC_ASSERT(faces.size() == expected);
   RC_ASSERT(faces.faces_before_plane(faces.samples()[2]) == expected);
 }
-
-RC_GTEST_PROP(CountBorderFaces, CountsTheCapsOfEachRegion, ())
-{
-  Dice dice(*random_seed());
-  const LabelledCells labels = random_cells(dice, 5, 4);
-  std::vector<std::int64_t> expected(labels.region_of_basin.size() + 1);
-  for_each_sample(labels.cells.size, [&](const Index3 &p, CellId) {
-    for (int axis = 0; axis < 3; ++axis)
-      expected[labels.region_of_basin[labels.at(p)]] += (p[axis] == 0) + (p[axis] == labels.cells.size[axis] - 1);
-  });
-  RC_ASSERT(count_border_faces(labels.cells, labels.region_of_basin, labels.region_of_basin.size()) == expected);
-}

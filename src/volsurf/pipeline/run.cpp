@@ -118,7 +118,7 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
 
   const Regions regions = cut(merge.hierarchy, settings.delta);
   require_boundary(settings, merge.hierarchy, regions);
-  report.background_region = background_region(merge, regions);
+  report.background_region = regions.of_basin[merge.hierarchy.background];
   summarise_regions(merge, regions, report);
   timer.lap("cut");
 
@@ -134,7 +134,7 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
 
   report_progress(progress, "surface", 0);
   const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, report.background_region,
-                                        regions.maxima[report.background_region - 1],
+                                        merge.hierarchy.background,
                                         [&](BasinId a, BasinId b) { return saliency(merge.hierarchy, a, b); }};
   Mesh mesh = extract_mesh(keep_components(std::move(faces), components), grid, selection.sides, regions_of_cells,
                            selection.one_thing);

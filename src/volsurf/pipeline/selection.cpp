@@ -31,14 +31,6 @@ RegionId region_at(const Vec3 &seed_mm, const Settings &settings, const Grid &gr
 
 } // namespace
 
-RegionId background_region(const RegionMerge &merge, const Regions &regions)
-{
-  if (merge.hierarchy.exterior)
-    return regions.of_basin[*merge.hierarchy.exterior];
-  const auto faces = count_border_faces(merge.cells, regions.of_basin, regions.count());
-  return static_cast<RegionId>(std::max_element(faces.begin(), faces.end()) - faces.begin());
-}
-
 Selection select_sides(const Settings &settings, const Grid &grid, const RegionMerge &merge, const Regions &regions,
                        RegionId background)
 {

@@ -7,10 +7,6 @@
 
 namespace volsurf {
 
-/// The region that what lies outside the volume belongs to: the one that holds the exterior node or, where there is
-/// none, the one with the most border faces, ties to the lower id.
-RegionId background_region(const RegionMerge &merge, const Regions &regions);
-
 struct Selection {
   Sides sides;
   bool one_thing; ///< the surface goes around one side only, so that it can be made a manifold

@@ -103,24 +103,4 @@ FaceSet find_boundary(const CellLabels &cells, const Sides &sides)
   return faces;
 }
 
-std::vector<std::int64_t> count_border_faces(const CellLabels &cells, const std::vector<RegionId> &region_of_basin,
-                                             std::size_t regions)
-{
-  std::vector<std::int64_t> faces(regions + 1);
-  for (std::int64_t z = 0, cell = 0; z < cells.size[2]; ++z)
-    for (std::int64_t y = 0; y < cells.size[1]; ++y) {
-      const int row_faces = (z == 0) + (z == cells.size[2] - 1) + (y == 0) + (y == cells.size[1] - 1);
-      const auto count = [&](std::int64_t x, int border_faces) {
-        faces[region_of_basin[cells.basins[cell + x]]] += border_faces;
-      };
-      if (row_faces > 0)
-        for (std::int64_t x = 0; x < cells.size[0]; ++x)
-          count(x, row_faces);
-      count(0, 1);
-      count(cells.size[0] - 1, 1);
-      cell += cells.size[0];
-    }
-  return faces;
-}
-
 } // namespace volsurf

@@ -19,8 +19,4 @@ struct Sides {
 /// The faces whose two cells lie on different sides, those at the border of the volume included. Parallel, O(cells).
 FaceSet find_boundary(const CellLabels &cells, const Sides &sides);
 
-/// The number of border faces of each region, indexed by region id. `regions` is the number of regions.
-std::vector<std::int64_t> count_border_faces(const CellLabels &cells, const std::vector<RegionId> &region_of_basin,
-                                             std::size_t regions);
-
 } // namespace volsurf

@@ -19,7 +19,7 @@ struct RegionsOfCells {
   const CellLabels &cells;
   const std::vector<RegionId> &of_basin;
   RegionId background;                             ///< counts as the largest region: it is always outside
-  BasinId background_basin;                        ///< whose saliency to the caps' regions caps get
+  BasinId background_basin;                        ///< a cap gets the saliency between it and the cap's basin
   std::function<float(BasinId, BasinId)> saliency; ///< called from several threads
 };
 

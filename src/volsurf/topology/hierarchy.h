@@ -24,6 +24,7 @@ struct Hierarchy {
   std::vector<float> values;       ///< its I
   std::vector<std::int64_t> cell_counts;
   std::optional<BasinId> exterior; ///< the basin that holds the exterior node
+  BasinId background = 0;          ///< its region, at any delta, is the background (background.h)
 
   std::size_t basin_count() const { return persistence.size(); }
 

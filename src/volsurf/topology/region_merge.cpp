@@ -1,6 +1,7 @@
 #include "volsurf/topology/region_merge.h"
 
 #include "volsurf/core/parallel.h"
+#include "volsurf/topology/background.h"
 
 namespace volsurf {
 
@@ -12,7 +13,12 @@ RegionMerge merge_regions(const Index3 &samples, const PlaneSource &field, const
   StarSweep sweep = sweep_stars(samples, field, options.exterior, planes_per_slab, progress);
   Basins basins = label_basins(cells, sweep, options.exterior, planes_per_slab);
   std::vector<SaddleEdge> edges = saddle_edges(cells, basins, sweep);
-  return {{cells.size, std::move(basins.labels)}, make_hierarchy(basins, edges, options.exterior)};
+  RegionMerge merge{{cells.size, std::move(basins.labels)}, make_hierarchy(basins, edges, options.exterior)};
+  Hierarchy &hierarchy = merge.hierarchy;
+  hierarchy.background = hierarchy.exterior
+                             ? *hierarchy.exterior
+                             : find_background(hierarchy, count_border_faces(merge.cells, hierarchy.basin_count()));
+  return merge;
 }
 
 } // namespace volsurf
