@@ -3,6 +3,7 @@
 #include "command_line.h"
 #include "progress_bar.h"
 
+#include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/run.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "volsurf/core/parallel.h"
 #include "volsurf/io/write_mesh.h"
 #include "volsurf/io/write_volume.h"
+#include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/outputs.h"
 #include "volsurf/pipeline/selection.h"
 #include "volsurf/pipeline/summary.h"
@@ -63,32 +64,7 @@ void require_boundary(const Settings &settings, const Hierarchy &hierarchy, cons
   }
 }
 
-/// A run that would swap or be killed is better refused before it begins.
-void require_memory(const Settings &settings, const Grid &grid)
-{
-  const std::uint64_t needed = expected_memory_bytes(grid);
-  const std::uint64_t allowed = settings.max_memory_bytes.value_or(available_memory_bytes());
-  if (needed <= allowed)
-    return;
-  std::ostringstream message;
-  message.precision(3);
-  message << settings.input.string() << ": found " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
-          << " samples, which need " << static_cast<double>(needed) / 1e9
-          << " GB; allowed: " << static_cast<double>(allowed) / 1e9 << " GB ("
-          << (settings.max_memory_bytes ? "--max-memory" : "what is available") << ")";
-  throw InputError(message.str());
-}
-
 } // namespace
-
-std::uint64_t expected_memory_bytes(const Grid &grid)
-{
-  constexpr double kBytesPerSample = 4 + 12; // float32 samples; labels, saddles, basins and faces
-  constexpr double kProgramBytes = 8e7;
-  const double samples =
-      static_cast<double>(grid.size[0]) * static_cast<double>(grid.size[1]) * static_cast<double>(grid.size[2]);
-  return static_cast<std::uint64_t>(kProgramBytes + kBytesPerSample * samples);
-}
 
 Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish)
 {
@@ -99,21 +75,20 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   report.settings = settings;
   report.threads = settings.threads > 0 ? settings.threads : available_threads();
 
-  report_progress(progress, "read", 0);
-  const InputVolume input =
-      read_volume(settings.input, {settings.series_uid, [&](const Grid &found) { require_memory(settings, found); }});
+  MergedVolume merged = read_input(settings, progress);
   Outputs outputs(settings);
-  const Grid &grid = input.volume.grid;
-  report.source = input.source;
-  report.pixel_type = input.pixel_type;
-  report.warnings = input.warnings;
+  const Grid &grid = merged.input.volume.grid;
+  report.source = merged.input.source;
+  report.pixel_type = merged.input.pixel_type;
+  report.warnings = merged.input.warnings;
   report.grid = grid;
   timer.lap("read");
 
-  const EdgeField field(input.volume, settings.field);
+  merge_input(merged, progress);
+  const RegionMerge &merge = merged.merge;
+  const EdgeField field(merged.input.volume, merged.field);
   report.sigma_mm = field.sigma_mm();
-  const RegionMerge merge = merge_regions(grid.size, field.planes(), {settings.exterior}, progress);
-  report.non_finite_gradients = field.non_finite_count();
+  report.non_finite_gradients = merged.non_finite_gradients;
   timer.lap("gradient and merge");
 
   const Regions regions = cut(merge.hierarchy, settings.delta);

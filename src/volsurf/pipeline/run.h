@@ -8,9 +8,6 @@
 
 namespace volsurf {
 
-/// The memory that a run on such a grid is expected to take at most, meshes excepted: the samples and the merge.
-std::uint64_t expected_memory_bytes(const Grid &grid);
-
 /// Reads the input, extracts its surfaces and writes the outputs: all of them or, where anything fails, none. Throws
 /// the errors of core/error.h.
 ///
