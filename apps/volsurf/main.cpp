@@ -62,12 +62,17 @@ void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
               << " regions" << (report.mesh.watertight ? ", watertight" : "") << '\n';
 }
 
+void print_expectation(const volsurf::Grid &grid, std::ostream &out)
+{
+  out << "volume      " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2] << " samples of "
+      << grid.spacing_mm[0] << " x " << grid.spacing_mm[1] << " x " << grid.spacing_mm[2] << " mm\n"
+      << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(grid)) / 1e6
+      << " MB expected without the mesh\n";
+}
+
 void print_details(const volsurf::Report &report)
 {
-  std::cerr << "volume      " << report.grid.size[0] << " x " << report.grid.size[1] << " x " << report.grid.size[2]
-            << " samples of " << report.grid.spacing_mm[0] << " x " << report.grid.spacing_mm[1] << " x "
-            << report.grid.spacing_mm[2] << " mm, " << report.pixel_type << '\n'
-            << "field       sigma " << report.sigma_mm << " mm\n"
+  std::cerr << "field       " << report.pixel_type << " samples, sigma " << report.sigma_mm << " mm\n"
             << "merge       " << report.basins << " basins, largest persistence " << report.largest_persistence << '\n'
             << "regions     " << report.regions << ", the background is region " << report.background_region << '\n'
             << "mesh        area " << report.mesh.area_mm2 << " mm2, volume " << report.mesh.volume_mm3 << " mm3, "
@@ -76,13 +81,13 @@ void print_details(const volsurf::Report &report)
             << ", volume drift " << 100 * report.smoothing.volume_drift << " %\n";
   for (const auto &[stage, seconds] : report.seconds)
     std::cerr << "time        " << stage << ' ' << seconds << " s\n";
-  std::cerr << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(report.grid)) / 1e6
-            << " MB expected without the mesh, " << static_cast<double>(report.peak_memory_bytes) / 1e6
-            << " MB at most, " << report.threads << " threads\n";
+  std::cerr << "memory      " << static_cast<double>(report.peak_memory_bytes) / 1e6 << " MB at most, "
+            << report.threads << " threads\n";
 }
 
 int run_command(const volsurf::CommandLine &line)
 {
+  const bool verbose = line.verbosity == volsurf::Verbosity::verbose;
   volsurf::Report report;
   {
     volsurf::ProgressBar bar(line.verbosity != volsurf::Verbosity::quiet);
@@ -90,14 +95,21 @@ int run_command(const volsurf::CommandLine &line)
       bar.show(stage, fraction);
       return !interrupted;
     };
-    report = volsurf::run(line.settings, show, [&](const volsurf::Report &complete) {
+    const auto publish = [&](const volsurf::Report &complete) {
       bar.wipe();
       if (line.report_to_stdout)
         print(volsurf::to_json(complete));
-    });
+    };
+    std::ostream messages(std::cerr.rdbuf()); // std::cerr itself is silenced while ITK reads
+    const auto announce = [&](const volsurf::Grid &grid) {
+      bar.wipe();
+      if (verbose)
+        print_expectation(grid, messages);
+    };
+    report = volsurf::run(line.settings, show, publish, announce);
   }
   print_summary(report, line.verbosity);
-  if (line.verbosity == volsurf::Verbosity::verbose)
+  if (verbose)
     print_details(report);
   return 0;
 }

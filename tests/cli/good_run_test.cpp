@@ -153,6 +153,14 @@ TEST_F(GoodRun, QuietPrintsNothingAndVerboseTellsEachStage)
     EXPECT_TRUE(contains(verbose, word));
 }
 
+TEST_F(GoodRun, VerboseTellsTheExpectedMemoryBeforeTheWorkStarts)
+{
+  const Outcome outcome = run(ball() + " --delta 2 -v --max-memory 1M");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(contains(outcome.err, "volume      18 x 18 x 18 samples of 1 x 1 x 1 mm\n"));
+  EXPECT_TRUE(contains(outcome.err, "MB expected without the mesh\nvolsurf: "));
+}
+
 TEST_F(GoodRun, TellsItsVersionAndItsOptionsOnStandardOutput)
 {
   const Outcome version = run("--version");

@@ -1,11 +1,10 @@
 // The program volsurf-phantom, run as a user runs it. VOLSURF_PHANTOM is its path.
-#include "support/temporary_folder.h"
+#include "support/program.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
@@ -14,23 +13,13 @@
 namespace {
 
 using volsurf::test::file_count;
+using volsurf::test::Outcome;
 using volsurf::test::read_file;
 using volsurf::test::TemporaryFolder;
 
-struct Outcome {
-  int exit_code;
-  std::string out;
-  std::string err;
-};
-
-/// Runs the program in `folder`; its own output goes to another one, so that what is left can be counted.
 Outcome run_phantom(const TemporaryFolder &folder, const std::string &arguments)
 {
-  const TemporaryFolder log;
-  const std::string command = "cd '" + folder.path().string() + "' && '" VOLSURF_PHANTOM "' " + arguments + " >'" +
-                              (log / "out").string() + "' 2>'" + (log / "err").string() + "'";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(log / "out"), read_file(log / "err")};
+  return volsurf::test::run_program(folder.path(), "'" VOLSURF_PHANTOM "' " + arguments);
 }
 
 void expect_refused(const std::string &arguments, int exit_code, const std::string &message)

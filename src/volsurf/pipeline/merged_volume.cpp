@@ -36,10 +36,15 @@ std::uint64_t expected_memory_bytes(const Grid &grid)
   return static_cast<std::uint64_t>(kProgramBytes + kBytesPerSample * samples);
 }
 
-MergedVolume read_input(const Settings &settings, const Progress &progress)
+MergedVolume read_input(const Settings &settings, const Progress &progress,
+                        const std::function<void(const Grid &)> &found)
 {
   report_progress(progress, "read", 0);
-  const auto check_grid = [&](const Grid &found) { require_memory(settings, found); };
+  const auto check_grid = [&](const Grid &grid) {
+    if (found)
+      found(grid);
+    require_memory(settings, grid);
+  };
   MergedVolume merged;
   merged.input = read_volume(settings.input, {settings.series_uid, check_grid});
   merged.field = settings.field;

@@ -6,6 +6,8 @@
 #include "volsurf/pipeline/settings.h"
 #include "volsurf/topology/region_merge.h"
 
+#include <functional>
+
 namespace volsurf {
 
 struct MergedVolume {
@@ -21,8 +23,10 @@ struct MergedVolume {
 /// The memory that a run on such a grid is expected to take at most, meshes excepted: the samples and the merge.
 std::uint64_t expected_memory_bytes(const Grid &grid);
 
-/// Reads settings.input. Throws InputError, also where more memory would be needed than settings allow.
-MergedVolume read_input(const Settings &settings, const Progress &progress = {});
+/// Reads settings.input. `found` gets its grid before the samples are read. Throws InputError, also where more memory
+/// would be needed than settings allow.
+MergedVolume read_input(const Settings &settings, const Progress &progress = {},
+                        const std::function<void(const Grid &)> &found = {});
 
 /// Computes the gradient and merges, unless that is done already. Throws UsageError for a sigma out of range, and
 /// Cancelled.

@@ -66,7 +66,8 @@ void require_boundary(const Settings &settings, const Hierarchy &hierarchy, cons
 
 } // namespace
 
-Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish)
+Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish,
+           const std::function<void(const Grid &)> &found)
 {
   check_settings(settings);
   const ThreadLimit limit(settings.threads);
@@ -75,7 +76,7 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   report.settings = settings;
   report.threads = settings.threads > 0 ? settings.threads : available_threads();
 
-  MergedVolume merged = read_input(settings, progress);
+  MergedVolume merged = read_input(settings, progress, found);
   Outputs outputs(settings);
   const Grid &grid = merged.input.volume.grid;
   report.source = merged.input.source;
