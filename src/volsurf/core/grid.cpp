@@ -62,6 +62,19 @@ double voxel_volume_mm3(const Grid &grid)
   return grid.spacing_mm[0] * grid.spacing_mm[1] * grid.spacing_mm[2];
 }
 
+double face_area_mm2(const Grid &grid, int axis)
+{
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  Vec3 u{};
+  Vec3 v{};
+  for (int i = 0; i < 3; ++i) {
+    u[i] = grid.direction[i][a] * grid.spacing_mm[a];
+    v[i] = grid.direction[i][b] * grid.spacing_mm[b];
+  }
+  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
 double smallest_spacing_mm(const Grid &grid)
 {
   return *std::min_element(grid.spacing_mm.begin(), grid.spacing_mm.end());

@@ -36,6 +36,10 @@ double determinant(const Mat3 &matrix);
 bool is_mirrored(const Grid &grid);
 
 double voxel_volume_mm3(const Grid &grid);
+
+/// The area of a face that is normal to an axis of the grid.
+double face_area_mm2(const Grid &grid, int axis);
+
 double smallest_spacing_mm(const Grid &grid);
 
 /// The grid of the cells' centres: one sample less per axis, origin shifted by half a voxel.

@@ -1,7 +1,9 @@
 #include "volsurf/surface/components.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/core/index_forest.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/surface/edge_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,134 +16,24 @@ namespace {
 
 constexpr std::int64_t kPlanesPerSlab = 32;
 
-/// Union-find over faces; the representative of a set is its lowest index, however the sets were joined.
-class FaceForest {
-public:
-  explicit FaceForest(FaceIndex size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), FaceIndex{0}); }
-
-  FaceIndex find(FaceIndex face)
-  {
-    while (parent_[face] != face) {
-      parent_[face] = parent_[parent_[face]];
-      face = parent_[face];
-    }
-    return face;
-  }
-
-  void join(FaceIndex a, FaceIndex b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<FaceIndex> parent_;
-};
-
-/// Joins the faces of each grid edge. The edge at a sample along an axis has up to four faces: of each other axis one
-/// with its lowest corner there, and one whose lowest corner is one lower along the remaining axis.
-class EdgeJoiner {
-public:
-  EdgeJoiner(const FaceSet &faces, FaceForest &forest) : faces_(faces), forest_(forest) {}
-
-  /// The edges at samples of plane z that have faces in plane z only.
-  void join_within(std::int64_t z) { join_plane(z, false); }
-
-  /// All edges at samples of plane z along x and y, which have faces in planes z and z - 1.
-  void join_with_lower(std::int64_t z) { join_plane(z, true); }
-
-private:
-  void join_plane(std::int64_t z, bool with_lower)
-  {
-    for (std::int64_t y = 0; y < faces_.samples()[1]; ++y)
-      for (int edge_axis = with_lower ? 0 : 2; edge_axis < (with_lower ? 2 : 3); ++edge_axis)
-        join_row(edge_axis, y, z);
-  }
-
-  /// Faces are met in the order of their indices, so that counting gives them.
-  void join_row(int edge_axis, std::int64_t y, std::int64_t z)
-  {
-    const int a = (edge_axis + 1) % 3;
-    const int b = (edge_axis + 2) % 3;
-    for (std::int64_t w = 0; w < faces_.words_per_row(); ++w) {
-      std::array<FaceWord, 4> around{word_at(a, w, y, z), word_below(a, b, w, y, z), word_at(b, w, y, z),
-                                     word_below(b, a, w, y, z)};
-      std::uint64_t any = around[0].bits | around[1].bits | around[2].bits | around[3].bits;
-      for (; any != 0; any &= any - 1)
-        join_edge(around, any & (~any + 1));
-    }
-  }
-
-  /// 64 faces of a row, of which the next to be met has an index.
-  struct FaceWord {
-    std::uint64_t bits;
-    FaceIndex next;
-  };
-
-  void join_edge(std::array<FaceWord, 4> &around, std::uint64_t bit)
-  {
-    FaceIndex previous = 0;
-    bool has_previous = false;
-    for (FaceWord &word : around) {
-      if ((word.bits & bit) == 0)
-        continue;
-      const FaceIndex index = word.next++;
-      if (has_previous)
-        forest_.join(previous, index);
-      previous = index;
-      has_previous = true;
-    }
-  }
-
-  FaceWord word_at(int axis, std::int64_t w, std::int64_t y, std::int64_t z) const
-  {
-    return {faces_.row(axis, y, z)[w], faces_.faces_before(axis, w, y, z)};
-  }
-
-  /// Bit x: is there a face of `axis` whose lowest corner is one lower along axis `lower` than (x, y, z)?
-  FaceWord word_below(int axis, int lower, std::int64_t w, std::int64_t y, std::int64_t z) const
-  {
-    if (lower == 1)
-      return y > 0 ? word_at(axis, w, y - 1, z) : FaceWord{0, 0};
-    if (lower == 2)
-      return z > 0 ? word_at(axis, w, y, z - 1) : FaceWord{0, 0};
-    const FaceWord word = word_at(axis, w, y, z);
-    const std::uint64_t carry = w > 0 ? faces_.row(axis, y, z)[w - 1] >> 63 : 0;
-    return {word.bits << 1 | carry, word.next - static_cast<FaceIndex>(carry)};
-  }
-
-  const FaceSet &faces_;
-  FaceForest &forest_;
-};
-
 /// Slabs touch faces of their own only; the planes between slabs are joined afterwards.
-void join_over_edges(const FaceSet &faces, FaceForest &forest)
+void join_over_edges(const FaceSet &faces, IndexForest &forest)
 {
+  const auto join_edge = [&](const EdgeFaces &edge) {
+    for (const FaceIndex *face = edge.begin() + 1; face < edge.end(); ++face)
+      forest.join(face[-1], *face);
+  };
   parallel_for_slabs(faces.samples()[2], kPlanesPerSlab, [&](const Slab &slab) {
-    EdgeJoiner joiner(faces, forest);
+    EdgeWalk edges(faces, join_edge);
     for (std::int64_t z = slab.begin; z < slab.end; ++z) {
-      joiner.join_within(z);
+      edges.walk_within(z);
       if (z > slab.begin)
-        joiner.join_with_lower(z);
+        edges.walk_with_lower(z);
     }
   });
-  EdgeJoiner joiner(faces, forest);
+  EdgeWalk edges(faces, join_edge);
   for (std::int64_t z = 0; z < faces.samples()[2]; z += kPlanesPerSlab)
-    joiner.join_with_lower(z);
-}
-
-double face_area_mm2(const Grid &grid, int axis)
-{
-  const int a = (axis + 1) % 3;
-  const int b = (axis + 2) % 3;
-  Vec3 u{};
-  Vec3 v{};
-  for (int i = 0; i < 3; ++i) {
-    u[i] = grid.direction[i][a] * grid.spacing_mm[a];
-    v[i] = grid.direction[i][b] * grid.spacing_mm[b];
-  }
-  return std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    edges.walk_with_lower(z);
 }
 
 std::vector<double> areas(const FaceSet &faces, const Grid &grid, const std::vector<ComponentId> &of_face,
@@ -223,7 +115,7 @@ std::vector<double> face_counts(const std::vector<ComponentId> &of_face, std::si
 }
 
 /// Numbers the trees of the forest from 0, in the order of their lowest index. Returns their number.
-std::size_t number_trees(FaceForest &forest, std::vector<ComponentId> &of_face)
+std::size_t number_trees(IndexForest &forest, std::vector<ComponentId> &of_face)
 {
   ComponentId count = 0;
   for (FaceIndex face = 0; face < of_face.size(); ++face) {
@@ -284,7 +176,7 @@ Keep parse_keep(const std::string &text)
 
 Components find_components(const FaceSet &faces, const Grid &grid, const ComponentOptions &options)
 {
-  FaceForest forest(faces.size());
+  IndexForest forest(faces.size());
   join_over_edges(faces, forest);
   std::vector<ComponentId> of_face(faces.size());
   const std::size_t count = number_trees(forest, of_face);

@@ -130,15 +130,20 @@ Regions cut(const Hierarchy &hierarchy, double delta)
   return regions;
 }
 
-float saliency(const Hierarchy &hierarchy, BasinId a, BasinId b)
+std::uint32_t joined_at_rank(const Hierarchy &hierarchy, BasinId a, BasinId b)
 {
-  float largest = 0;
+  auto earliest = static_cast<std::uint32_t>(hierarchy.basin_count());
   while (a != b) {
     BasinId &younger = hierarchy.rank[a] > hierarchy.rank[b] ? a : b;
-    largest = hierarchy.persistence[younger];
+    earliest = hierarchy.rank[younger];
     younger = hierarchy.ancestor[younger];
   }
-  return largest;
+  return earliest;
+}
+
+float saliency(const Hierarchy &hierarchy, BasinId a, BasinId b)
+{
+  return a == b ? 0.0F : hierarchy.persistence[hierarchy.by_rank[joined_at_rank(hierarchy, a, b)]];
 }
 
 } // namespace volsurf
