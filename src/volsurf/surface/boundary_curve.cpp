@@ -128,11 +128,15 @@ public:
   }
 
 private:
-  /// All faces at an edge are connected from the birth of the later one of each two; so it is enough to know that of
-  /// each with the earliest.
+  /// Any two faces at an edge are connected from the birth of the later one, so it is enough to join each to the
+  /// earliest. Two alone lie between the same two basins.
   void join_faces()
   {
     EdgeWalk edges(faces_, [&](const EdgeFaces &edge) {
+      if (edge.count == 2) {
+        forest_.join(edge.faces[0] - first_, edge.faces[1] - first_);
+        return;
+      }
       const auto rank = [&](FaceIndex face) { return ranks_[face - first_]; };
       const FaceIndex earliest =
           *std::min_element(edge.begin(), edge.end(), [&](FaceIndex a, FaceIndex b) { return rank(a) < rank(b); });
