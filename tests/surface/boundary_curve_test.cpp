@@ -41,8 +41,7 @@ bool is_that_of_cuts(const BoundaryCurve &curve, const RegionMerge &merge, const
 {
   for (const float delta : deltas_that_matter(positive_persistences(merge.hierarchy))) {
     const Regions regions = cut(merge.hierarchy, delta);
-    const FaceSet faces =
-        find_boundary(merge.cells, {regions.of_basin, regions.of_basin[merge.hierarchy.background]});
+    const FaceSet faces = find_boundary(merge.cells, {regions.of_basin, regions.of_basin[merge.hierarchy.background]});
     const Components components = find_components(faces, grid, {KeepAll{}, RankBy::area});
     const double area = std::accumulate(components.sizes.begin(), components.sizes.end(), 0.0);
     const bool same = curve.regions_at(delta) == regions.count() &&

@@ -27,8 +27,7 @@ RC_GTEST_PROP(LargestRegionSizes, AreThoseOfTheCutAtEachBasinsPersistence, ())
 RC_GTEST_PROP(JoinedAtRank, IsTheMostSurvivorsThatLeaveTwoBasinsInOneRegion, ())
 {
   const Field field = *random_field();
-  const Hierarchy hierarchy =
-      merge_of(field, *rc::gen::element(Exterior::none, Exterior::infinite)).hierarchy;
+  const Hierarchy hierarchy = merge_of(field, *rc::gen::element(Exterior::none, Exterior::infinite)).hierarchy;
   for (const float delta : deltas_that_matter(positive_persistences(hierarchy))) {
     const Regions regions = cut(hierarchy, delta);
     for (BasinId a = 0; a < hierarchy.basin_count(); ++a)

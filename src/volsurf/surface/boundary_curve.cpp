@@ -112,9 +112,8 @@ public:
 
   SlabPatches contract(FaceRanks face_ranks)
   {
-    faces_.for_each(slab_.begin, slab_.end, [&](FaceIndex index, const FacePosition &face) {
-      ranks_[index - first_] = face_ranks.of(face);
-    });
+    faces_.for_each(slab_.begin, slab_.end,
+                    [&](FaceIndex index, const FacePosition &face) { ranks_[index - first_] = face_ranks.of(face); });
     join_faces();
     const std::vector<PatchId> patch_of_face = number_patches();
     keep_spanning_junctions(patch_of_face);

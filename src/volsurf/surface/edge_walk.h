@@ -16,9 +16,9 @@ struct EdgeFaces {
   const FaceIndex *end() const { return faces.data() + count; }
 };
 
-/// Calls visit(EdgeFaces) for each edge that has faces. The edge at a sample along an axis has up to four: of each other
-/// axis one with its lowest corner there, and one whose lowest corner is one lower along the remaining axis. Faces are
-/// met in the order of their indices, so that counting gives these.
+/// Calls visit(EdgeFaces) for each edge that has faces. The edge at a sample along an axis has up to four: of each
+/// other axis one with its lowest corner there, and one whose lowest corner is one lower along the remaining axis.
+/// Faces are met in the order of their indices, so that counting gives these.
 template <typename Visit> class EdgeWalk {
 public:
   EdgeWalk(const FaceSet &faces, Visit visit) : faces_(faces), visit_(visit) {}

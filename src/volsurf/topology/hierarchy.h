@@ -48,8 +48,8 @@ struct Regions {
 /// Regions are numbered by decreasing number of cells, ties by root cell. delta must be > 0. O(basins).
 Regions cut(const Hierarchy &hierarchy, double delta);
 
-/// The earliest rank on the path between two basins in the tree, its top left out: they are in two regions exactly where
-/// more than that many basins survive. The number of basins for a == b. O(ancestors).
+/// The earliest rank on the path between two basins in the tree, its top left out: they are in two regions exactly
+/// where more than that many basins survive. The number of basins for a == b. O(ancestors).
 std::uint32_t joined_at_rank(const Hierarchy &hierarchy, BasinId a, BasinId b);
 
 /// The largest persistence on the path between two basins in the tree: they are in one region for every larger delta,
