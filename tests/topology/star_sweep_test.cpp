@@ -81,9 +81,9 @@ RC_GTEST_PROP(StarSweep, RootsAreTheCellsWithoutAStepInAscendingOrder, ())
   std::vector<CellId> roots;
   const auto max_vertex = naive_max_vertices(field);
   for (const SlabStars &slab : sweep.slabs)
-    for (std::size_t i = 0; i < slab.roots.size(); ++i) {
-      roots.push_back(slab.roots[i]);
-      RC_ASSERT(slab.root_values[i] == field.values[max_vertex[slab.roots[i]]]);
+    for (const Root &root : slab.roots) {
+      roots.push_back(root.cell);
+      RC_ASSERT(root.value == field.values[max_vertex[root.cell]]);
     }
   RC_ASSERT(roots == without_step);
 }

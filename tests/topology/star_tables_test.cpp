@@ -64,6 +64,22 @@ TEST(StarTables, DeepAxisIsTheFirstOneThatLeadsTowardsAnOldOctant)
     }
 }
 
+TEST(StarTables, DeepOctantsAreTwoOrMoreHopsFromAnOldOne)
+{
+  for (unsigned cells = 0; cells < 256; ++cells)
+    for (int octant = 0; octant < kOctants; ++octant)
+      EXPECT_EQ((star_tables().deep[cells] >> octant & 1U) != 0, hops_to_old(cells, octant) >= 2)
+          << cells << ' ' << octant;
+}
+
+TEST(StarTables, InnerFacesLieBetweenTwoOctantsOfTheSet)
+{
+  for (unsigned octants = 0; octants < 256; ++octants)
+    for (int f = 0; f < kStarFaces; ++f)
+      EXPECT_EQ((star_tables().inner_faces[octants] >> f & 1U) != 0,
+                (octants >> lower_octant(f) & octants >> upper_octant(f) & 1U) != 0);
+}
+
 TEST(StarTables, PartsAreJoinedByOldFaces)
 {
   for (unsigned faces = 0; faces < 4096; ++faces) {
@@ -78,7 +94,7 @@ TEST(StarTables, PartsAreJoinedByOldFaces)
       isolated |= static_cast<unsigned>(alone) << a;
       joined_parts += !alone && part % (1U << a) == 0 ? 1 : 0;
     }
-    EXPECT_EQ(star_tables().part_counts[faces].isolated, isolated);
-    EXPECT_EQ(star_tables().part_counts[faces].joined, joined_parts);
+    EXPECT_EQ(star_tables().lone_and_joined[faces] & 0xFFU, isolated);
+    EXPECT_EQ(std::bitset<16>(star_tables().lone_and_joined[faces] >> 8U).count(), joined_parts);
   }
 }

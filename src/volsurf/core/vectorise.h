@@ -14,12 +14,18 @@
 /// On what such a function calls with lanes: it must become part of each version, not a function of the plain one.
 #define VOLSURF_LANES_INLINE __attribute__((always_inline)) inline
 
+// So lanes are never handed from one compiled function to another, which is what this warning is about.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
 namespace volsurf {
 
 /// Eight numbers at a time, at any address. Where there are no registers of that width the compiler takes two halves.
 /// Comparisons give masks, and mask ? a : b chooses lane by lane, so that one template serves single numbers, too.
 using Float32x8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 using UInt32x8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
+using UInt8x8 = unsigned char __attribute__((vector_size(8), aligned(1), may_alias));
 constexpr int kLanes = 8;
 
 /// The lanes, or the single number, that begin at an address.

@@ -141,10 +141,11 @@ Basins collect_roots(StarSweep &sweep, Exterior exterior)
 {
   Basins basins;
   for (SlabStars &slab : sweep.slabs) {
-    basins.roots.insert(basins.roots.end(), slab.roots.begin(), slab.roots.end());
-    basins.values.insert(basins.values.end(), slab.root_values.begin(), slab.root_values.end());
+    for (const Root &root : slab.roots) {
+      basins.roots.push_back(root.cell);
+      basins.values.push_back(root.value);
+    }
     slab.roots = {};
-    slab.root_values = {};
   }
   if (exterior == Exterior::infinite) {
     basins.roots.push_back(-1);

@@ -26,15 +26,14 @@ constexpr int kStarFaces = 12;
 
 constexpr int lower_octant(int star_face)
 {
-  const int axis = star_face / 4;
-  const int k = star_face % 4;
-  const int low_bits = k & ((1 << axis) - 1);
-  return ((k & ~((1 << axis) - 1)) << 1) | low_bits;
+  constexpr std::uint8_t kLower[kStarFaces] = {0, 2, 4, 6, 0, 1, 4, 5, 0, 1, 2, 3};
+  return kLower[star_face];
 }
 
 constexpr int upper_octant(int star_face)
 {
-  return lower_octant(star_face) | (1 << (star_face / 4));
+  constexpr std::uint8_t kUpper[kStarFaces] = {1, 3, 5, 7, 2, 3, 6, 7, 4, 5, 6, 7};
+  return kUpper[star_face];
 }
 
 /// The face of the star between octant `octant` and its neighbour along `axis`.

@@ -65,12 +65,12 @@ void FieldWindow::make_cells(std::int64_t z)
   }
 }
 
-StarRows FieldWindow::star_rows(std::int64_t y) const
+StarRows FieldWindow::star_rows(std::int64_t y, std::int64_t z) const
 {
   StarRows rows{};
   for (std::int64_t i = 0; i < 9; ++i) {
     const std::int64_t row = std::clamp<std::int64_t>(y + i % 3 - 1, 0, samples_[1] - 1);
-    const std::int64_t plane = std::clamp<std::int64_t>(z_ + i / 3 - 1, 0, samples_[2] - 1);
+    const std::int64_t plane = std::clamp<std::int64_t>(z + i / 3 - 1, 0, samples_[2] - 1);
     rows[static_cast<std::size_t>(i)] = at_plane(field_, plane).data() + 1 + row * samples_[0];
   }
   return rows;

@@ -22,8 +22,9 @@ public:
   /// Makes ready for plane z, which is the first one or follows the one before.
   void advance_to(std::int64_t z);
 
-  /// The rows of samples around (y, z). Rows outside the volume are replaced by the nearest ones.
-  StarRows star_rows(std::int64_t y) const;
+  /// The rows of samples around (y, z), where z is the plane at hand or the next one. Rows outside the volume are
+  /// replaced by the nearest ones.
+  StarRows star_rows(std::int64_t y, std::int64_t z) const;
 
   /// The cells of octants 2 * i and 2 * i + 1 of the samples of row y, plane z or z + 1; octant o of sample x is at
   /// x + (o & 1).

@@ -55,22 +55,12 @@ VOLSURF_LANES_INLINE void choose_steps(const CellRows &rows, std::int64_t x, Bas
 } // namespace
 
 VOLSURF_VECTORISE
-void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes, std::vector<std::int64_t> &undecided)
+void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes)
 {
-  undecided.clear();
   for (std::int64_t x = 0; count < kLanes && x < count; ++x)
     choose_steps<float, BasinId>(rows, x, codes);
   for (std::int64_t x = 0; count >= kLanes && x < count; x += kLanes)
     choose_steps<Float32x8, UInt32x8>(rows, x + kLanes <= count ? x : count - kLanes, codes);
-  for (std::int64_t begin = 0; begin < count; begin += kLanes) {
-    const std::int64_t end = begin + kLanes < count ? begin + kLanes : count;
-    BasinId some = 0;
-    for (std::int64_t x = begin; x < end; ++x)
-      some |= codes[x] == step_code(kNoStep) ? 1U : 0U;
-    for (std::int64_t x = begin; some != 0 && x < end; ++x)
-      if (codes[x] == step_code(kNoStep))
-        undecided.push_back(x);
-  }
 }
 
 } // namespace volsurf

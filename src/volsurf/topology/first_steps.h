@@ -4,8 +4,6 @@
 #include "volsurf/topology/cell_maxima.h"
 #include "volsurf/topology/cubical_complex.h"
 
-#include <vector>
-
 namespace volsurf {
 
 /// A row of cells with its neighbours. Outside the volume values are +infinity where there is an exterior node and
@@ -26,7 +24,7 @@ struct CellRows {
 
 /// Let v be a cell's first corner. Among the three neighbours that share v with it and are not newborn at v, the step
 /// leads to the one with the largest maximum, ties to the lowest axis; kNoStep where all three are newborn at v, too.
-/// Writes step_code(step), eight cells at a time; `undecided` gets the cells with kNoStep, in order.
-void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes, std::vector<std::int64_t> &undecided);
+/// Writes step_code(step), eight cells at a time.
+void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes);
 
 } // namespace volsurf

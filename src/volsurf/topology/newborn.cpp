@@ -91,22 +91,4 @@ BorderRule::BorderRule(const Index3 &samples, Exterior exterior) : samples_(samp
   }
 }
 
-unsigned BorderRule::real_cells(std::int64_t x, std::int64_t y, std::int64_t z) const
-{
-  unsigned real = 0xFF;
-  if (x == 0)
-    real &= 0xAA;
-  if (x == samples_[0] - 1)
-    real &= 0x55;
-  if (y == 0)
-    real &= 0xCC;
-  if (y == samples_[1] - 1)
-    real &= 0x33;
-  if (z == 0)
-    real &= 0xF0;
-  if (z == samples_[2] - 1)
-    real &= 0x0F;
-  return real;
-}
-
 } // namespace volsurf

@@ -41,7 +41,10 @@ public:
   BorderRule(const Index3 &samples, Exterior exterior);
 
   /// The octants of the star of a sample that are cells of the volume.
-  unsigned real_cells(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  unsigned real_cells(std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    return octants_inside(x, 0) & octants_inside(y, 1) & octants_inside(z, 2);
+  }
 
   NewbornMask complete(NewbornMask mask, unsigned real_cells) const
   {
@@ -49,6 +52,15 @@ public:
   }
 
 private:
+  /// As far as the position along one axis decides.
+  unsigned octants_inside(std::int64_t position, int axis) const
+  {
+    constexpr unsigned kLowOctants[] = {0x55, 0x33, 0x0F};
+    const unsigned above = position == 0 ? ~kLowOctants[axis] : 0xFFU;
+    const unsigned below = position == samples_[axis] - 1 ? kLowOctants[axis] : 0xFFU;
+    return above & below & 0xFFU;
+  }
+
   Index3 samples_;
   std::array<NewbornMask, 256> keep_{};
   std::array<NewbornMask, 256> set_{};

@@ -5,8 +5,8 @@
 #include "volsurf/topology/saddles.h"
 #include "volsurf/topology/star_tables.h"
 
+#include <algorithm>
 #include <atomic>
-#include <limits>
 
 namespace volsurf {
 
@@ -25,67 +25,117 @@ struct OctantRows {
   CornerCode corner(std::int64_t x, int octant) const { return rows[octant >> 1].corners[x + (octant & 1)]; }
 };
 
-/// Sweeps one slab.
+/// Towards the first axis in which two octants differ.
+int first_axis_between(int octant, int other)
+{
+  return octant == other ? 0 : __builtin_ctz(static_cast<unsigned>(octant ^ other));
+}
+
+/// Some x of a row, ascending.
+struct IndexRange {
+  const std::int64_t *first;
+  const std::int64_t *last;
+
+  const std::int64_t *begin() const { return first; }
+  const std::int64_t *end() const { return last; }
+};
+
+constexpr unsigned kAllOctants = 0xFF;
+constexpr unsigned kLowerPlane = 0x0F; // the octants below the sample's plane
+constexpr unsigned kUpperPlane = 0xF0;
+
+/// Sweeps one slab: the samples of its planes and the cells above them.
 class SlabSweep {
 public:
   SlabSweep(const Index3 &samples, const PlaneSource &field, Exterior exterior, const BorderRule &border,
             BasinId *codes, SlabStars &stars)
       : samples_(samples), cells_(cell_size_of(samples)), exterior_(exterior), border_(border), tables_(star_tables()),
-        window_(samples, field, exterior), codes_(codes), stars_(stars), masks_(static_cast<std::size_t>(samples[0]))
+        window_(samples, field, exterior), codes_(codes), stars_(stars), masks_(static_cast<std::size_t>(samples[0])),
+        found_(static_cast<std::size_t>(samples[0]))
   {
   }
 
-  void sweep_plane(std::int64_t z)
+  void sweep_plane(std::int64_t z, const Slab &slab)
   {
     window_.advance_to(z);
     for (std::int64_t y = 0; z < cells_.size[2] && y < cells_.size[1]; ++y)
-      find_steps(y, z);
-    for (std::int64_t y = 0; y < samples_[1]; ++y)
-      find_saddles(y, z);
+      first_steps(window_.cell_rows(y), cells_.size[0], codes_ + cells_.id(0, y, z));
+    sweep_samples(z, z == slab.begin && z > 0 ? kUpperPlane : kAllOctants);
+    if (z + 1 == slab.end && slab.end < samples_[2])
+      sweep_samples(slab.end, kLowerPlane);
   }
 
 private:
-  void find_steps(std::int64_t y, std::int64_t z)
+  /// Of the stars of plane z, the octants given are in the slab. The saddles are if the upper ones are.
+  void sweep_samples(std::int64_t z, unsigned octants)
   {
-    const CellRows rows = window_.cell_rows(y);
-    BasinId *const codes = codes_ + cells_.id(0, y, z);
-    first_steps(rows, cells_.size[0], codes, undecided_);
-    if (undecided_.empty())
-      return;
-    for (int i = 0; i < 4; ++i)
-      corner_stars_[static_cast<std::size_t>(i)] = octant_rows(y + (i & 1), z + (i >> 1));
-    for (const std::int64_t x : undecided_)
-      codes[x] = step_code(step_among_newborn({x, y, z}, rows.centre.corners[x]));
+    const std::size_t plane_begin = stars_.roots.size();
+    for (std::int64_t y = 0; y < samples_[1]; ++y) {
+      const std::size_t row_begin = stars_.roots.size();
+      const StarRows rows = window_.star_rows(y, z);
+      newborn_masks(rows, samples_[0], masks_.data());
+      complete_border(y, z);
+      find_deep_steps(y, z, octants, rows[4]);
+      if (octants != kLowerPlane)
+        find_saddles(y, z, rows[4]);
+      if (y == 1)
+        merge_roots(plane_begin, row_begin);
+    }
+    if (z == 1)
+      merge_roots(0, plane_begin);
   }
 
-  /// The step of a cell whose neighbours across its first corner v are all newborn at v: by the table, or, where v is a
-  /// maximum, towards the first cell of its star, which is the root of a basin.
-  Step step_among_newborn(const Index3 &cell, CornerCode corner)
+  /// The first two rows, and planes, of samples have their roots in the same row, and plane, of cells.
+  void merge_roots(std::size_t begin, std::size_t middle)
   {
-    Index3 v = cell;
-    for (int axis = 0; axis < 3; ++axis)
-      v[axis] += corner >> axis & 1;
-    const int octant = static_cast<int>(corner ^ 7);
-    const OctantRows &star = corner_stars_[corner >> 1];
-    const unsigned real = border_.real_cells(v[0], v[1], v[2]);
-    const unsigned newborn = newborn_cells_of(star, v[0], real);
-    if (newborn != 0xFF)
-      return step_across(octant, tables_.deep_axis[newborn][octant]);
-    const int root = __builtin_ctz(real);
-    if (octant != root)
-      return step_across(octant, __builtin_ctz(static_cast<unsigned>(octant ^ root)));
-    stars_.roots.push_back(cells_.id(cell[0], cell[1], cell[2]));
-    stars_.root_values.push_back(star.value(v[0], octant));
-    return kNoStep;
+    const auto roots = stars_.roots.begin();
+    std::inplace_merge(roots + static_cast<std::ptrdiff_t>(begin), roots + static_cast<std::ptrdiff_t>(middle),
+                       stars_.roots.end(), [](const Root &a, const Root &b) { return a.cell < b.cell; });
   }
 
-  /// Cells outside the volume are none of the exterior node's, so they count as newborn (see BorderRule).
-  static unsigned newborn_cells_of(const OctantRows &star, std::int64_t x, unsigned real)
+  /// Those x of the row for which condition(mask) is true. Without a branch for each: they are few, but nowhere
+  /// foreseeable.
+  template <typename Condition> IndexRange samples_where(Condition condition)
   {
-    unsigned newborn = ~real & 0xFFU;
-    for (int octant = 0; octant < kOctants; ++octant)
-      newborn |= static_cast<unsigned>(star.corner(x, octant) == static_cast<CornerCode>(octant ^ 7)) << octant;
-    return newborn;
+    std::int64_t *end = found_.data();
+    for (std::int64_t x = 0; x < samples_[0]; ++x) {
+      *end = x;
+      end += condition(masks_[static_cast<std::size_t>(x)]) ? 1 : 0;
+    }
+    return {found_.data(), end};
+  }
+
+  /// The steps of the cells whose neighbours across their first corner v are all newborn at v: by the table, or, where
+  /// v is a maximum, towards the first cell of its star, which is the root of a basin.
+  void find_deep_steps(std::int64_t y, std::int64_t z, unsigned octants, const float *values)
+  {
+    for (const std::int64_t x :
+         samples_where([&](NewbornMask mask) { return tables_.deep[newborn_cells(mask)] != 0; })) {
+      const unsigned newborn = newborn_cells(masks_[static_cast<std::size_t>(x)]);
+      const unsigned real = border_.real_cells(x, y, z);
+      const int root = __builtin_ctz(real);
+      for (unsigned rest = tables_.deep[newborn] & real & octants; rest != 0; rest &= rest - 1) {
+        const int octant = __builtin_ctz(rest);
+        const CellId cell = octant_cell({x, y, z}, octant);
+        const bool is_maximum = newborn == kAllOctants;
+        const int axis = is_maximum ? first_axis_between(octant, root) : tables_.deep_axis[newborn][octant];
+        const bool is_root = is_maximum && octant == root;
+        codes_[cell] = step_code(is_root ? kNoStep : step_across(octant, axis));
+        if (is_root)
+          stars_.roots.push_back({cell, values[x]});
+      }
+    }
+  }
+
+  void find_saddles(std::int64_t y, std::int64_t z, const float *values)
+  {
+    const OctantRows stars = octant_rows(y, z);
+    const auto parts_meet = [&](NewbornMask mask) {
+      const unsigned parts = tables_.parts_outside(newborn_cells(mask), newborn_faces(mask));
+      return (parts & (parts - 1)) != 0;
+    };
+    for (const std::int64_t x : samples_where(parts_meet))
+      add_saddles({x, y, z}, stars, masks_[static_cast<std::size_t>(x)], values[x]);
   }
 
   OctantRows octant_rows(std::int64_t y, std::int64_t z) const
@@ -94,19 +144,9 @@ private:
              window_.octant_row(y, z, 3)}};
   }
 
-  void find_saddles(std::int64_t y, std::int64_t z)
+  CellId octant_cell(const Index3 &v, int octant) const
   {
-    const StarRows rows = window_.star_rows(y);
-    newborn_masks(rows, samples_[0], masks_.data());
-    complete_border(y, z);
-    const OctantRows stars = octant_rows(y, z);
-    const std::int64_t count = samples_[0];
-    for (std::int64_t x = 0; x < count; ++x) {
-      const NewbornMask mask = masks_[static_cast<std::size_t>(x)];
-      const int parts = tables_.parts_outside(newborn_cells(mask), newborn_faces(mask));
-      if (parts > 1)
-        add_saddles({x, y, z}, stars, mask, parts, rows[4][x]);
-    }
+    return cells_.id(v[0] - 1 + (octant & 1), v[1] - 1 + (octant >> 1 & 1), v[2] - 1 + (octant >> 2));
   }
 
   void complete_border(std::int64_t y, std::int64_t z)
@@ -122,48 +162,27 @@ private:
         complete(x);
   }
 
-  void add_saddles(const Index3 &v, const OctantRows &rows, NewbornMask mask, int parts, float value)
+  void add_saddles(const Index3 &v, const OctantRows &rows, NewbornMask mask, float value)
   {
     const unsigned real = border_.real_cells(v[0], v[1], v[2]);
-    Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU, {}, {}};
+    Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU, {}};
     for (int octant = 0; octant < kOctants; ++octant)
       star.values[octant] = rows.value(v[0], octant);
-    for (unsigned rest = star.cells & real; rest != 0; rest &= rest - 1) {
-      const int octant = __builtin_ctz(rest);
-      star.first_axis[octant] = first_axis(star, octant);
-    }
-    const SaddleFaces saddles = find_saddle_faces(star, parts);
-    const CellId octant_0 = cells_.id(v[0] - 1, v[1] - 1, v[2] - 1);
+    const SaddleFaces saddles = find_saddle_faces(star, tables_.parts_outside(star.cells, star.faces));
     for (int i = 0; i < saddles.count; ++i) {
-      stars_.saddles.push_back(code_of(saddles.faces[i], octant_0, real));
+      stars_.saddles.push_back(code_of(saddles.faces[i], v, real));
       stars_.saddle_values.push_back(value);
     }
   }
 
-  /// The axis of the first face in K of a newborn octant, as first_steps and step_among_newborn decide it.
-  std::uint8_t first_axis(const Star &star, int octant) const
-  {
-    float best = -std::numeric_limits<float>::infinity();
-    std::uint8_t best_axis = tables_.deep_axis[star.cells][octant];
-    for (std::uint8_t axis = 0; axis < 3; ++axis) {
-      const int neighbour = octant ^ (1 << axis);
-      if ((star.cells >> neighbour & 1U) == 0 && star.values[neighbour] > best) {
-        best = star.values[neighbour];
-        best_axis = axis;
-      }
-    }
-    return best_axis;
-  }
-
-  FaceCode code_of(int star_face, CellId octant_0, unsigned real) const
+  FaceCode code_of(int star_face, const Index3 &v, unsigned real) const
   {
     int from = lower_octant(star_face);
     int to = upper_octant(star_face);
     if (!(real >> from & 1U))
       std::swap(from, to);
     const Step step = (real >> to & 1U) ? step_across(from, star_face / 4) : kToExterior;
-    const CellId cell = octant_0 + (from & 1) + (from >> 1 & 1) * cells_.row + (from >> 2) * cells_.plane;
-    return static_cast<FaceCode>(cell) << 3 | step;
+    return static_cast<FaceCode>(octant_cell(v, from)) << 3 | step;
   }
 
   Index3 samples_;
@@ -174,9 +193,8 @@ private:
   FieldWindow window_;
   BasinId *codes_;
   SlabStars &stars_;
-  std::vector<NewbornMask> masks_;           // of a row of samples
-  std::vector<std::int64_t> undecided_;      // cells of a row
-  std::array<OctantRows, 4> corner_stars_{}; // around the corners of a row of cells, by corner >> 1
+  std::vector<NewbornMask> masks_;  // of a row of samples
+  std::vector<std::int64_t> found_; // samples of a row, what samples_where() gives out
 };
 
 } // namespace
@@ -193,7 +211,7 @@ StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior 
     SlabSweep slab_sweep(samples, field, exterior, border, sweep.codes.data(),
                          sweep.slabs[static_cast<std::size_t>(slab.index)]);
     for (std::int64_t z = slab.begin; z < slab.end; ++z) {
-      slab_sweep.sweep_plane(z);
+      slab_sweep.sweep_plane(z, slab);
       report_progress(progress, "merge", static_cast<double>(++planes_done) / static_cast<double>(samples[2]));
     }
   });

@@ -22,10 +22,15 @@ namespace volsurf {
 /// A face named by one of its cells and the step across it, 8 * cell + step.
 using FaceCode = std::uint64_t;
 
+/// The cell without a step that stands for its basin.
+struct Root {
+  CellId cell;
+  float value; ///< its I
+};
+
 /// What one slab of samples contributes.
 struct SlabStars {
-  std::vector<CellId> roots;
-  std::vector<float> root_values; ///< I of each root
+  std::vector<Root> roots;
   std::vector<FaceCode> saddles;
   std::vector<float> saddle_values; ///< I of each saddle face
 };

@@ -1,6 +1,5 @@
 #include "volsurf/topology/star_tables.h"
 
-#include <bitset>
 #include <memory>
 
 namespace volsurf {
@@ -18,12 +17,23 @@ std::array<std::uint8_t, kOctants> layers_of(unsigned newborn_cells)
   std::array<std::uint8_t, kOctants> layer{};
   for (int o = 0; o < kOctants; ++o)
     layer[o] = has_bit(newborn_cells, o) ? kNoLayer : 0;
-  for (int hop = 0; hop < 3; ++hop)
+  for (int hop = 0; hop < kLayers; ++hop)
     for (int o = 0; o < kOctants; ++o)
       for (int axis = 0; axis < 3; ++axis)
         if (layer[o] == kNoLayer && layer[o ^ (1 << axis)] == hop)
           layer[o] = static_cast<std::uint8_t>(hop + 1);
   return layer;
+}
+
+std::uint8_t deep_octants(unsigned newborn_cells)
+{
+  unsigned deep = 0;
+  for (int o = 0; o < kOctants; ++o) {
+    const unsigned with_neighbours = 1U << o | 1U << (o ^ 1) | 1U << (o ^ 2) | 1U << (o ^ 4);
+    if ((newborn_cells & with_neighbours) == with_neighbours)
+      deep |= 1U << o;
+  }
+  return static_cast<std::uint8_t>(deep);
 }
 
 std::array<std::uint8_t, kOctants> deep_axes_of(const std::array<std::uint8_t, kOctants> &layer)
@@ -52,28 +62,44 @@ std::array<std::uint8_t, kOctants> parts_of(unsigned newborn_faces)
   return part;
 }
 
+std::uint16_t faces_within(unsigned octants)
+{
+  unsigned faces = 0;
+  for (int f = 0; f < kStarFaces; ++f)
+    if (has_bit(octants, lower_octant(f)) && has_bit(octants, upper_octant(f)))
+      faces |= 1U << f;
+  return static_cast<std::uint16_t>(faces);
+}
+
+std::uint16_t lone_and_joined_of(const std::array<std::uint8_t, kOctants> &part)
+{
+  unsigned bits = 0;
+  unsigned next_part = 1U << kOctants;
+  for (int o = 0; o < kOctants; ++o) {
+    const bool lowest_of_part = (part[o] & ((1U << o) - 1U)) == 0;
+    if (part[o] == 1U << o) {
+      bits |= 1U << o;
+    } else if (lowest_of_part) {
+      bits |= next_part;
+      next_part <<= 1;
+    }
+  }
+  return static_cast<std::uint16_t>(bits);
+}
+
 std::unique_ptr<StarTables> make_tables()
 {
   auto tables = std::make_unique<StarTables>();
   for (unsigned cells = 0; cells < 256; ++cells) {
     tables->layer[cells] = layers_of(cells);
+    tables->deep[cells] = deep_octants(cells);
     tables->deep_axis[cells] = deep_axes_of(tables->layer[cells]);
-    tables->set_size[cells] = static_cast<std::uint8_t>(std::bitset<8>(cells).count());
+    tables->inner_faces[cells] = faces_within(cells);
   }
   for (unsigned faces = 0; faces < 4096; ++faces) {
     const auto part = parts_of(faces);
     tables->parts[faces] = part;
-    for (int f = 0; f < kStarFaces; ++f)
-      if (has_bit(faces, f) && part[lower_octant(f)] != part[upper_octant(f)])
-        tables->joining[faces] = static_cast<std::uint16_t>(tables->joining[faces] | 1U << f);
-    for (int o = 0; o < kOctants; ++o) {
-      const bool alone = part[o] == 1U << o;
-      const bool lowest_of_part = (part[o] & ((1U << o) - 1U)) == 0;
-      if (alone)
-        tables->part_counts[faces].isolated |= static_cast<std::uint8_t>(1U << o);
-      else if (lowest_of_part)
-        ++tables->part_counts[faces].joined;
-    }
+    tables->lone_and_joined[faces] = lone_and_joined_of(part);
   }
   return tables;
 }

@@ -17,34 +17,28 @@ struct StarTables {
   /// kNoLayer where all are newborn.
   std::array<std::array<std::uint8_t, kOctants>, 256> layer;
 
-  /// deep_axis[cells][o]: the axis of the first face in K of newborn octant o, where its three neighbours are newborn
-  /// too: towards the neighbour of the next lower layer, lowest axis first.
+  /// deep[cells]: the newborn octants whose three neighbours are newborn, too.
+  std::array<std::uint8_t, 256> deep;
+
+  /// deep_axis[cells][o]: the axis of the first face in K of newborn octant o, where it is deep: towards the
+  /// neighbour of the next lower layer, lowest axis first.
   std::array<std::array<std::uint8_t, kOctants>, 256> deep_axis;
 
   /// parts[faces][o]: the set of octants that are joined to octant o by faces that are not newborn.
   std::array<std::array<std::uint8_t, kOctants>, 4096> parts;
 
-  /// joining[faces]: the newborn faces between two of those sets.
-  std::array<std::uint16_t, 4096> joining;
+  /// inner_faces[octants]: the faces between two octants of a set.
+  std::array<std::uint16_t, 256> inner_faces;
 
-  /// part_counts[faces]: what is needed to count the parts that reach outside the star.
-  struct PartCount {
-    std::uint8_t joined;   ///< parts of two or more octants; none of these is newborn
-    std::uint8_t isolated; ///< the set of octants that are a part of their own; they may be newborn or not
-  };
-  std::array<PartCount, 4096> part_counts;
+  /// lone_and_joined[faces]: bit o for an octant that is a part of its own, which may be newborn or not; from bit 8 on
+  /// one bit for each part of two or more octants, none of which is newborn.
+  std::array<std::uint16_t, 4096> lone_and_joined;
 
-  /// set_size[set]: the number of octants in a set.
-  std::array<std::uint8_t, 256> set_size;
-
-  /// The number of parts that reach outside, which have a cell that is not newborn.
-  int parts_outside(unsigned cells, unsigned faces) const
-  {
-    const PartCount &count = part_counts[faces];
-    return count.joined + set_size[count.isolated & ~cells];
-  }
+  /// One bit for each part that reaches outside, which has a cell that is not newborn.
+  unsigned parts_outside(unsigned cells, unsigned faces) const { return lone_and_joined[faces] & ~cells; }
 };
 
+constexpr int kLayers = 3; ///< of newborn octants
 constexpr std::uint8_t kNoLayer = 255;
 
 /// Computed once, on first use; thread-safe.
