@@ -16,6 +16,7 @@ namespace {
 /// What CLI11 fills in; the rest goes straight into Settings. An empty text is an option that was not given.
 struct Texts {
   std::string delta;
+  std::optional<std::int64_t> regions;
   std::string keep;
   std::vector<std::string> seeds;
   std::string report;
@@ -23,20 +24,6 @@ struct Texts {
   bool quiet = false;
   bool verbose = false;
 };
-
-double parse_delta(const std::string &text)
-{
-  std::size_t used = 0;
-  double delta = 0;
-  try {
-    delta = std::stod(text, &used);
-  } catch (const std::logic_error &) {
-    used = 0;
-  }
-  if (used == 0 || used != text.size() || !(delta > 0) || !std::isfinite(delta))
-    throw UsageError("--delta: found \"" + text + "\"; allowed are finite numbers above 0, in intensity per mm");
-  return delta;
-}
 
 Vec3 parse_seed(const std::string &text)
 {
@@ -101,9 +88,14 @@ void add_field_options(CLI::App &app, Settings &settings, Texts &texts)
 
 void add_topology_options(CLI::App &app, Settings &settings, Texts &texts)
 {
-  app.add_option("--delta", texts.delta, "Persistence that a boundary must reach, in intensity per mm")
+  CLI::Option *const delta =
+      app.add_option("--delta", texts.delta,
+                     "Persistence that a boundary must reach: D in intensity per mm, D% of the largest, or auto [auto]")
+          ->group("Topology");
+  app.add_option("--regions", texts.regions, "Choose delta so that this many regions are left")
       ->group("Topology")
-      ->required();
+      ->check(CLI::Range(std::int64_t{2}, std::int64_t{1} << 31))
+      ->excludes(delta);
   add_word_option<Exterior>(app, "--exterior", settings.exterior,
                             {{"none", Exterior::none}, {"infinite", Exterior::infinite}},
                             "What lies behind the border: none or infinite [none]")
@@ -184,7 +176,10 @@ void refuse_empty_values(CLI::App &app)
 void finish(const Texts &texts, CommandLine &line)
 {
   Settings &settings = line.settings;
-  settings.delta = parse_delta(texts.delta);
+  if (!texts.delta.empty())
+    settings.delta = parse_delta(texts.delta);
+  if (texts.regions)
+    settings.delta = DeltaRegions{*texts.regions};
   if (!texts.keep.empty())
     settings.components.keep = parse_keep(texts.keep);
   for (const std::string &seed : texts.seeds)

@@ -59,7 +59,8 @@ void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
   for (const auto &output : report.settings.outputs)
     std::cerr << one_line(output.string()) << ": " << report.mesh.triangles << " triangles in "
               << report.components_kept << " of " << report.components << " components, between " << report.regions
-              << " regions" << (report.mesh.watertight ? ", watertight" : "") << '\n';
+              << " regions at delta " << report.decision.delta << (report.mesh.watertight ? ", watertight" : "")
+              << '\n';
 }
 
 void print_expectation(const volsurf::Grid &grid, std::ostream &out)
@@ -70,11 +71,23 @@ void print_expectation(const volsurf::Grid &grid, std::ostream &out)
       << " MB expected without the mesh\n";
 }
 
+void print_advice(const volsurf::DeltaAdvice &advice)
+{
+  std::cerr << "noise       standard deviation " << advice.noise.volume << ", makes walls of at most "
+            << advice.noise_floor << " per mm\n";
+  for (const volsurf::DeltaCandidate &candidate : advice.candidates)
+    std::cerr << "candidate   delta " << candidate.delta << " leaves " << candidate.regions
+              << " regions; little changes from " << candidate.low << " to " << candidate.high << '\n';
+}
+
 void print_details(const volsurf::Report &report)
 {
   std::cerr << "field       " << report.pixel_type << " samples, sigma " << report.sigma_mm << " mm\n"
             << "merge       " << report.basins << " basins, largest persistence " << report.largest_persistence << '\n'
-            << "regions     " << report.regions << ", the background is region " << report.background_region << '\n'
+            << "delta       " << report.decision.delta << ", from " << delta_text(report.settings.delta) << '\n';
+  if (report.decision.advice)
+    print_advice(*report.decision.advice);
+  std::cerr << "regions     " << report.regions << ", the background is region " << report.background_region << '\n'
             << "mesh        area " << report.mesh.area_mm2 << " mm2, volume " << report.mesh.volume_mm3 << " mm3, "
             << report.mesh.open_edges << " open and " << report.mesh.non_manifold_edges << " non-manifold edges\n"
             << "smoothing   " << report.smoothing.iterations << " passes at pass band " << report.smoothing.pass_band

@@ -18,9 +18,12 @@ TEST_F(BadUsage, DeltaMustBeAFiniteNumberAboveZero)
     expect_usage("--delta " + delta, {"--delta: found \"" + delta + "\"; allowed are finite numbers above 0"});
 }
 
-TEST_F(BadUsage, DeltaIsRequired)
+TEST_F(BadUsage, RegionsIsACountThatTheScanCanHave)
 {
-  expect_usage("", {"--delta is required"});
+  for (const std::string count : {"1", "0", "-3", "2.5", "many"})
+    expect_usage("--regions " + count, {"--regions", count});
+  expect_usage("--regions 100000000", {"--regions: found 100000000; allowed are 2 to "});
+  expect_usage("--regions 3 --delta 2", {"--regions", "--delta"});
 }
 
 TEST_F(BadUsage, NoOptionTakesAnEmptyText)

@@ -57,7 +57,8 @@ TEST_F(ReportSchema, AcceptsReportsOfEachKindOfRun)
   for (const std::string options :
        {"--delta 15", "--delta 15 --surface hull --frame ras", "--delta 20 --paper --keep 2 --rank-by radius",
         "--delta 10 --exterior infinite --keep 5% --rank-by area -o a.vdb -o a.stl --labels l.nrrd",
-        "--delta 15 --seed 35,0,30 --smooth 0", "--delta 5 --edge-map --threads 1 --smooth 1"})
+        "--delta 15 --seed 35,0,30 --smooth 0", "--delta 5 --edge-map --threads 1 --smooth 1", "", "--regions 5",
+        "--delta 12.5% --keep 1"})
     reports.push_back(report(scan + " " + options));
   EXPECT_EQ(objections(reports), std::vector<std::string>(reports.size()));
 }
@@ -150,6 +151,21 @@ TEST_F(ReportFile, StrongestRegionsDecreaseFromTheOneThatNothingJoins)
       above = persistence;
     }
   }
+}
+
+TEST_F(ReportFile, TellsHowDeltaWasChosen)
+{
+  const json whole = report(head(48));
+  const json &choice = whole["delta_choice"];
+  EXPECT_EQ(choice["given"], "--delta auto");
+  EXPECT_NEAR(choice["noise"]["floor"], 1.7 * choice["noise"]["in_gradient"].get<double>(), 1e-9);
+  ASSERT_FALSE(choice["candidates"].empty());
+  EXPECT_EQ(choice["candidates"][0]["delta"], whole["options"]["delta"]);
+  EXPECT_EQ(choice["candidates"][0]["regions"], whole["counts"]["regions"]);
+
+  const json by_value = report(head(48) + " --delta 15")["delta_choice"];
+  EXPECT_EQ(by_value["given"], "--delta 15");
+  EXPECT_TRUE(by_value["noise"].is_null());
 }
 
 TEST_F(ReportFile, TellsOptionsAsUsed)

@@ -25,6 +25,15 @@ double gaussian(double sigma, int k)
   return std::exp(-0.5 * (k / sigma) * (k / sigma));
 }
 
+/// Of all 2 * radius + 1 weights.
+double l2_norm(const HalfKernel &kernel)
+{
+  double sum = static_cast<double>(kernel[0]) * static_cast<double>(kernel[0]);
+  for (std::size_t k = 1; k < kernel.size(); ++k)
+    sum += 2 * static_cast<double>(kernel[k]) * static_cast<double>(kernel[k]);
+  return std::sqrt(sum);
+}
+
 /// Memory that a thread uses for one plane after another.
 struct PlaneScratch {
   std::vector<float> smooth_z;                // the plane, smoothed along z
@@ -148,6 +157,23 @@ void EdgeField::plane(std::int64_t z, float *out) const
 PlaneSource EdgeField::planes() const
 {
   return [this](std::int64_t z, float *out) { plane(z, out); };
+}
+
+double EdgeField::noise_gain() const
+{
+  if (edge_map_)
+    return 1;
+  double largest = 0;
+  for (int derived = 0; derived < 3; ++derived) {
+    double gain = 1;
+    for (int axis = 0; axis < 3; ++axis)
+      if (sigma_mm_ > 0)
+        gain *= axis == derived ? l2_norm(kernels_[axis].derive) : l2_norm(kernels_[axis].smooth);
+      else if (axis == derived)
+        gain /= std::sqrt(2.0) * volume_.grid.spacing_mm[axis];
+    largest = std::max(largest, gain);
+  }
+  return largest;
 }
 
 std::int64_t EdgeField::non_finite_count() const

@@ -51,6 +51,10 @@ public:
 
   double sigma_mm() const { return sigma_mm_; }
 
+  /// The standard deviation that white noise of deviation 1 in the volume has in a component of the gradient (the
+  /// largest over the axes, away from the border), per mm; 1 for an edge map.
+  double noise_gain() const;
+
   /// Samples without a finite gradient, over all planes that have been computed.
   std::int64_t non_finite_count() const;
 

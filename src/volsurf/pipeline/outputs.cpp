@@ -49,7 +49,7 @@ Outputs::Outputs(const Settings &settings) : settings_(settings)
 
 void Outputs::write_results(const Results &results)
 {
-  const Provenance provenance{version_text(), settings_.input.filename().string(), describe(settings_)};
+  const Provenance provenance{version_text(), settings_.input.filename().string(), describe(settings_, results.delta)};
   LabelVolume labels;
   if (labels_ || std::any_of(settings_.outputs.begin(), settings_.outputs.end(), is_vdb))
     labels = region_labels(results);

@@ -13,6 +13,7 @@ namespace volsurf {
 
 /// What the writers draw on.
 struct Results {
+  double delta;
   const Mesh &mesh;
   const EdgeField &field;
   const RegionMerge &merge;

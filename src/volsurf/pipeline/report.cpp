@@ -35,8 +35,8 @@ Json options_json(const Report &report)
   Json outputs = Json::array();
   for (const auto &output : settings.outputs)
     outputs.push_back(output.string());
-  Json options{{"command_line", describe(settings)},
-               {"delta", settings.delta},
+  Json options{{"command_line", describe(settings, report.decision.delta)},
+               {"delta", report.decision.delta},
                {"sigma_mm", report.sigma_mm},
                {"edge_map", settings.field.edge_map},
                {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},
@@ -54,6 +54,24 @@ Json options_json(const Report &report)
                {"series_uid", settings.series_uid.empty() ? Json(nullptr) : Json(settings.series_uid)},
                {"threads", report.threads}};
   return options;
+}
+
+Json delta_choice_json(const Report &report)
+{
+  Json noise = nullptr;
+  Json candidates = Json::array();
+  if (const auto &advice = report.decision.advice) {
+    noise = {{"standard_deviation", advice->noise.volume},
+             {"in_gradient", advice->noise.gradient},
+             {"floor", advice->noise_floor}};
+    for (const DeltaCandidate &candidate : advice->candidates)
+      candidates.push_back({{"delta", candidate.delta},
+                            {"low", candidate.low},
+                            {"high", candidate.high},
+                            {"width", candidate.width},
+                            {"regions", candidate.regions}});
+  }
+  return {{"given", delta_text(report.settings.delta)}, {"noise", noise}, {"candidates", candidates}};
 }
 
 Json regions_json(const Report &report)
@@ -110,6 +128,7 @@ std::string to_json(const Report &report)
                     {"components", report.components},
                     {"components_kept", report.components_kept},
                     {"components_dropped", report.components - report.components_kept}}},
+                  {"delta_choice", delta_choice_json(report)},
                   {"largest_persistence", report.largest_persistence},
                   {"background_region", report.background_region},
                   {"strongest_regions", regions_json(report)},

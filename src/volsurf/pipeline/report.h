@@ -3,7 +3,7 @@
 
 #include "volsurf/core/timer.h"
 #include "volsurf/io/read_volume.h"
-#include "volsurf/pipeline/settings.h"
+#include "volsurf/pipeline/decide_delta.h"
 #include "volsurf/surface/check.h"
 
 #include <string>
@@ -26,6 +26,8 @@ struct Report {
   Grid grid;
   double sigma_mm = 0;
   std::int64_t non_finite_gradients = 0;
+
+  DeltaDecision decision;
 
   std::int64_t basins = 0;
   double largest_persistence = 0; ///< the largest finite one

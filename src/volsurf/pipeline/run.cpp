@@ -42,8 +42,6 @@ void require_distinct_files(const Settings &settings)
 
 void check_settings(const Settings &settings)
 {
-  if (!(settings.delta > 0 && std::isfinite(settings.delta)))
-    throw UsageError("--delta: found " + std::to_string(settings.delta) + "; allowed are finite numbers above 0");
   if (!settings.seeds_mm.empty() && settings.surface == SurfaceKind::hull)
     throw UsageError("--seed and --surface hull exclude each other: a seed's region has a boundary of its own");
   check_smoothing(settings.smoothing);
@@ -54,12 +52,12 @@ void check_settings(const Settings &settings)
   require_distinct_files(settings);
 }
 
-void require_boundary(const Settings &settings, const Hierarchy &hierarchy, const Regions &regions)
+void require_boundary(const Settings &settings, double delta, const Hierarchy &hierarchy, const Regions &regions)
 {
   if (regions.count() < 2) {
     std::ostringstream message;
-    message << settings.input.string() << ": no boundary survives delta = " << settings.delta
-            << "; the largest persistence is " << hierarchy.largest_persistence();
+    message << settings.input.string() << ": no boundary survives delta = " << delta << "; the largest persistence is "
+            << hierarchy.largest_persistence();
     throw EmptyResult(message.str());
   }
 }
@@ -92,8 +90,11 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   report.non_finite_gradients = merged.non_finite_gradients;
   timer.lap("gradient and merge");
 
-  const Regions regions = cut(merge.hierarchy, settings.delta);
-  require_boundary(settings, merge.hierarchy, regions);
+  report.decision = decide_delta(settings, merged, field);
+  timer.lap("delta");
+
+  const Regions regions = cut(merge.hierarchy, report.decision.delta);
+  require_boundary(settings, report.decision.delta, merge.hierarchy, regions);
   report.background_region = regions.of_basin[merge.hierarchy.background];
   summarise_regions(merge, regions, report);
   timer.lap("cut");
@@ -124,7 +125,7 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   timer.lap("check");
 
   report_progress(progress, "write", 0);
-  outputs.write_results({mesh, field, merge, regions, grid});
+  outputs.write_results({report.decision.delta, mesh, field, merge, regions, grid});
   timer.lap("write");
   report.seconds = timer.seconds();
   report.peak_memory_bytes = peak_memory_bytes();

@@ -37,11 +37,11 @@ std::string rank_by_text(RankBy rank_by)
   return "faces";
 }
 
-std::string describe(const Settings &settings)
+std::string describe(const Settings &settings, double delta)
 {
   std::ostringstream out;
   out.precision(9);
-  out << "--delta " << settings.delta;
+  out << delta_text(DeltaValue{delta});
   if (settings.field.edge_map)
     out << " --edge-map";
   else if (settings.field.sigma_mm)

@@ -6,6 +6,7 @@
 #include "volsurf/surface/components.h"
 #include "volsurf/surface/smoothing.h"
 #include "volsurf/topology/cubical_complex.h"
+#include "volsurf/topology/delta_choice.h"
 
 #include <filesystem>
 #include <optional>
@@ -24,7 +25,7 @@ struct Settings {
   std::string series_uid; ///< of a DICOM folder with several series
 
   FieldOptions field;
-  double delta = 0; ///< the persistence that a boundary must reach, in intensity per mm; > 0
+  DeltaChoice delta = AutomaticDelta{}; ///< the persistence that a boundary must reach, in intensity per mm
   Exterior exterior = Exterior::none;
 
   SurfaceKind surface = SurfaceKind::all;
@@ -41,9 +42,9 @@ struct Settings {
   std::optional<std::uint64_t> max_memory_bytes; ///< not set: what is available
 };
 
-/// The options that decide the result, as a command line would give them: the provenance of the outputs. Threads and
-/// file names are left out, so that they do not show in the bytes.
-std::string describe(const Settings &settings);
+/// The options that decide the result, as a command line would give them, with the delta that was used: the provenance
+/// of the outputs. Threads and file names are left out, so that they do not show in the bytes.
+std::string describe(const Settings &settings, double delta);
 
 /// An option's value as a command line would give it: "all", "3" or "5%"; "faces", "area" or "radius".
 std::string keep_text(const Keep &keep);

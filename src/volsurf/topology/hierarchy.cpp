@@ -96,6 +96,13 @@ Hierarchy make_hierarchy(Basins &basins, std::vector<SaddleEdge> &edges, Exterio
   return hierarchy;
 }
 
+std::size_t Hierarchy::region_count(double delta) const
+{
+  const auto first_merged =
+      std::partition_point(by_rank.begin(), by_rank.end(), [&](BasinId basin) { return persistence[basin] >= delta; });
+  return static_cast<std::size_t>(first_merged - by_rank.begin());
+}
+
 Regions cut(const Hierarchy &hierarchy, double delta)
 {
   // The survivors are the first ranks; each other basin is in the region of its ancestor, which has an earlier rank.

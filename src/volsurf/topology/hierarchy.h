@@ -28,6 +28,9 @@ struct Hierarchy {
 
   std::size_t basin_count() const { return persistence.size(); }
 
+  /// The number of regions at a delta > 0: 1 + #{persistence >= delta} over the finite ones (T4). O(log basins).
+  std::size_t region_count(double delta) const;
+
   /// The largest finite persistence, 0 where there is one basin only.
   float largest_persistence() const { return by_rank.size() > 1 ? persistence[by_rank[1]] : 0.0F; }
 };

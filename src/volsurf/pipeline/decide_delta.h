@@ -1,0 +1,31 @@
+// From what the user said of delta to the number.
+#pragma once
+
+#include "volsurf/field/noise_level.h"
+#include "volsurf/pipeline/merged_volume.h"
+#include "volsurf/topology/delta_choice.h"
+
+namespace volsurf {
+
+/// No wall that white noise makes has a larger persistence than this many of its deviations in the gradient.
+constexpr double kNoiseFloor = 1.7;
+
+/// What is known of the noise, and the deltas that suggest themselves.
+struct DeltaAdvice {
+  NoiseLevel noise;
+  double noise_floor = 0;                 ///< kNoiseFloor deviations: delta above it shows no noise, however small
+  std::vector<DeltaCandidate> candidates; ///< at most 5, the best first
+};
+
+/// Of a merged volume and its field. O(basins log basins).
+DeltaAdvice advise_on_delta(const MergedVolume &merged, const EdgeField &field);
+
+struct DeltaDecision {
+  double delta = 0;
+  std::optional<DeltaAdvice> advice; ///< set where delta was chosen by it
+};
+
+/// Throws EmptyResult where there is no wall at all, and UsageError as resolve_delta() does.
+DeltaDecision decide_delta(const Settings &settings, const MergedVolume &merged, const EdgeField &field);
+
+} // namespace volsurf
