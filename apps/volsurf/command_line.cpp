@@ -53,8 +53,8 @@ std::filesystem::path default_output(const std::filesystem::path &input)
 }
 
 /// An option whose values are documented words.
-template <typename Value>
-CLI::Option *add_word_option(CLI::App &app, const std::string &name, Value &value,
+template <typename Value, typename Target>
+CLI::Option *add_word_option(CLI::App &app, const std::string &name, Target &value,
                              const std::vector<std::pair<std::string, Value>> &words, const std::string &description)
 {
   const auto parse = [name, &value, words](const std::string &text) {
@@ -140,6 +140,9 @@ void add_output_options(CLI::App &app, Settings &settings, Texts &texts)
                          "World frame of outputs and seeds: lps or ras [lps]")
       ->group("Output");
   app.add_option("--labels", settings.labels, "Write the region of each cell as .nrrd")->group("Output");
+  app.add_option("--save-hierarchy", settings.hierarchy,
+                 "Write all that further cuts need as .volsurf, which stands for the scan as INPUT")
+      ->group("Output");
   app.add_option("--report", texts.report, "Write a report as JSON; - for standard output")->group("Output");
 }
 
@@ -218,7 +221,8 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
   Settings &settings = parsed.command_line.settings;
   CLI::App app("Surfaces of a noisy volume, without an iso-value: the walls whose contrast per millimetre\n"
                "stays above delta even at their weakest point.\n\n"
-               "Inputs: NRRD, NHDR, MHA, MHD, NIfTI, a DICOM folder. World coordinates are millimetres.\n"
+               "Inputs: NRRD, NHDR, MHA, MHD, NIfTI, a DICOM folder, a file of --save-hierarchy. World coordinates are "
+               "millimetres.\n"
                "Exit codes: 0 done, 1 unexpected, 2 usage, 3 input, 4 nothing to write, 5 output, 130 interrupted.",
                "volsurf");
   app.add_option("INPUT", settings.input, "The scan")->required();

@@ -122,6 +122,11 @@ TEST_F(BadOutput, FullDiskIsNoticedForLabels)
   expect_full_disk_is_noticed("--labels", "out.nrrd");
 }
 
+TEST_F(BadOutput, FullDiskIsNoticedForTheHierarchy)
+{
+  expect_full_disk_is_noticed("--save-hierarchy", "out.volsurf");
+}
+
 TEST_F(BadOutput, FullDiskIsNoticedForTheReport)
 {
   expect_full_disk_is_noticed("--report", "out.json");

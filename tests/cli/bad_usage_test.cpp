@@ -29,7 +29,7 @@ TEST_F(BadUsage, RegionsIsACountThatTheScanCanHave)
 TEST_F(BadUsage, NoOptionTakesAnEmptyText)
 {
   for (const std::string option : {"--delta", "--sigma", "--keep", "--seed", "--output", "--labels", "--report",
-                                   "--series", "--iterations", "--frame", "--config"})
+                                   "--save-hierarchy", "--series", "--iterations", "--frame", "--config"})
     expect_usage((option == "--delta" ? "" : "--delta 2 ") + option + " ''", {option + ": found \"\""});
   expect_refused("'' --delta 2", 2, {"INPUT: found \"\""});
 }

@@ -56,10 +56,12 @@ TEST_F(ReportSchema, AcceptsReportsOfEachKindOfRun)
   std::vector<json> reports;
   for (const std::string options :
        {"--delta 15", "--delta 15 --surface hull --frame ras", "--delta 20 --paper --keep 2 --rank-by radius",
-        "--delta 10 --exterior infinite --keep 5% --rank-by area -o a.vdb -o a.stl --labels l.nrrd",
+        "--delta 10 --exterior infinite --keep 5% --rank-by area -o a.vdb -o a.stl --labels l.nrrd --save-hierarchy "
+        "h.volsurf",
         "--delta 15 --seed 35,0,30 --smooth 0", "--delta 5 --edge-map --threads 1 --smooth 1", "", "--regions 5",
         "--delta 12.5% --keep 1"})
     reports.push_back(report(scan + " " + options));
+  reports.push_back(report("h.volsurf --delta 20"));
   EXPECT_EQ(objections(reports), std::vector<std::string>(reports.size()));
 }
 

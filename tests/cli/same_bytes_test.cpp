@@ -11,8 +11,9 @@ protected:
     const std::string scan = head(48);
     std::string first;
     for (const std::string threads : {"1", "2", "3", "3"}) {
-      const Outcome outcome = run(scan + " --threads " + threads + " " + options +
-                                  " -o a.vtp -o a.stl -o a.ply -o a.obj -o a.vdb --labels a.nrrd");
+      const Outcome outcome =
+          run(scan + " --threads " + threads + " " + options +
+              " -o a.vtp -o a.stl -o a.ply -o a.obj -o a.vdb --labels a.nrrd --save-hierarchy a.volsurf");
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       std::string all;
       for (const std::string &name : files())

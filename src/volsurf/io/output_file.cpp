@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <string>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -128,6 +127,14 @@ void PendingOutput::commit()
   if (rename(temporary_.c_str(), destination_.c_str()) != 0)
     fail(target_, "cannot be put into place", errno);
   temporary_.clear();
+}
+
+void require_extension(const fs::path &path, const std::string &extension)
+{
+  const std::string found = path.extension().string();
+  if (found != extension)
+    throw UsageError(path.string() + ": found " + (found.empty() ? "no extension" : "the extension " + found) +
+                     "; allowed: " + extension);
 }
 
 } // namespace volsurf

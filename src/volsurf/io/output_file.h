@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace volsurf {
 
@@ -38,5 +39,8 @@ private:
   std::filesystem::path destination_; ///< the target after following links
   std::filesystem::path temporary_;   ///< empty once committed or moved from
 };
+
+/// Throws UsageError unless a file's name has this extension, the one of its format.
+void require_extension(const std::filesystem::path &path, const std::string &extension);
 
 } // namespace volsurf

@@ -2,11 +2,9 @@
 
 #include "volsurf/core/error.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <openssl/evp.h>
 
 namespace volsurf {
@@ -15,15 +13,18 @@ namespace {
 
 constexpr std::size_t kBlockBytes = std::size_t{1} << 18;
 
-using DigestContext = std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)>;
-
 void check(int success)
 {
   if (success != 1)
     throw Error("SHA-256 is not available in this build of libcrypto");
 }
 
-std::uintmax_t add_file(EVP_MD_CTX *context, const std::filesystem::path &file)
+EVP_MD_CTX *context_of(void *context)
+{
+  return static_cast<EVP_MD_CTX *>(context);
+}
+
+std::uintmax_t add_file(Sha256 &sha256, const std::filesystem::path &file)
 {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -33,7 +34,7 @@ std::uintmax_t add_file(EVP_MD_CTX *context, const std::filesystem::path &file)
   while (stream) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     const auto count = static_cast<std::size_t>(stream.gcount());
-    check(EVP_DigestUpdate(context, block.data(), count));
+    sha256.add(block.data(), count);
     bytes += count;
   }
   if (stream.bad())
@@ -41,31 +42,49 @@ std::uintmax_t add_file(EVP_MD_CTX *context, const std::filesystem::path &file)
   return bytes;
 }
 
-std::string hexadecimal(const unsigned char *bytes, unsigned int count)
+std::string hexadecimal(const Sha256::Digest &digest)
 {
   static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
-  for (unsigned int i = 0; i < count; ++i) {
-    text += kDigits[bytes[i] >> 4];
-    text += kDigits[bytes[i] & 15];
+  for (const std::uint8_t byte : digest) {
+    text += kDigits[byte >> 4];
+    text += kDigits[byte & 15];
   }
   return text;
 }
 
 } // namespace
 
+Sha256::Sha256() : context_(EVP_MD_CTX_new())
+{
+  check(EVP_DigestInit_ex(context_of(context_.get()), EVP_sha256(), nullptr));
+}
+
+void Sha256::Free::operator()(void *context) const
+{
+  EVP_MD_CTX_free(context_of(context));
+}
+
+void Sha256::add(const void *bytes, std::size_t count)
+{
+  check(EVP_DigestUpdate(context_of(context_.get()), bytes, count));
+}
+
+Sha256::Digest Sha256::digest()
+{
+  Digest digest{};
+  check(EVP_DigestFinal_ex(context_of(context_.get()), digest.data(), nullptr));
+  return digest;
+}
+
 FileDigest sha256_of_files(const std::vector<std::filesystem::path> &files)
 {
-  const DigestContext context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  check(EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr));
-  FileDigest digest;
+  Sha256 sha256;
+  FileDigest result;
   for (const std::filesystem::path &file : files)
-    digest.bytes += add_file(context.get(), file);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> value{};
-  unsigned int size = 0;
-  check(EVP_DigestFinal_ex(context.get(), value.data(), &size));
-  digest.sha256 = hexadecimal(value.data(), size);
-  return digest;
+    result.bytes += add_file(sha256, file);
+  result.sha256 = hexadecimal(sha256.digest());
+  return result;
 }
 
 } // namespace volsurf

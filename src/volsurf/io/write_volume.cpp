@@ -3,6 +3,7 @@
 #include "volsurf/core/error.h"
 #include "volsurf/io/data_layout.h"
 #include "volsurf/io/itk_image_io.h"
+#include "volsurf/io/output_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,10 +95,7 @@ template <typename Value> std::vector<Value> rounded(const std::vector<float> &s
 
 void require_nrrd_extension(const fs::path &path)
 {
-  const std::string extension = path.extension().string();
-  if (extension != ".nrrd")
-    throw UsageError(path.string() + ": found " + (extension.empty() ? "no extension" : "the extension " + extension) +
-                     "; allowed: .nrrd");
+  require_extension(path, ".nrrd");
 }
 
 void write_labels(const LabelVolume &labels, const fs::path &file, const Provenance &provenance)

@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/timer.h"
+#include "volsurf/pipeline/stored_merge.h"
 
 #include <sstream>
 
@@ -25,6 +26,29 @@ void require_memory(const Settings &settings, const Grid &grid)
   throw InputError(message.str());
 }
 
+/// What is given a second time must be what the file holds already.
+void require_options_of(const MergedVolume &merged, const Settings &settings)
+{
+  const double sigma_mm = EdgeField(merged.input.volume, merged.field).sigma_mm();
+  const FieldOptions &wanted = settings.field;
+  const bool same_sigma = !wanted.sigma_mm || (*wanted.sigma_mm == sigma_mm && !merged.field.edge_map);
+  const bool same_input = (!wanted.edge_map || merged.field.edge_map) &&
+                          (settings.series_uid.empty() || settings.series_uid == merged.series_uid);
+  if (same_sigma && same_input && settings.exterior.value_or(merged.exterior) == merged.exterior)
+    return;
+  std::ostringstream message;
+  message << settings.input.string() << ": found the hierarchy of " << source_name(merged) << ", made with ";
+  if (merged.field.edge_map)
+    message << "--edge-map";
+  else
+    message << "--sigma " << sigma_mm;
+  message << " --exterior " << (merged.exterior == Exterior::infinite ? "infinite" : "none");
+  if (!merged.series_uid.empty())
+    message << " --series " << merged.series_uid;
+  message << "; allowed: no other values of these options, for which the scan itself is needed";
+  throw UsageError(message.str());
+}
+
 } // namespace
 
 std::uint64_t expected_memory_bytes(const Grid &grid)
@@ -46,10 +70,32 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
     require_memory(settings, grid);
   };
   MergedVolume merged;
+  if (is_stored_merge(settings.input)) {
+    merged = read_merge(settings.input, check_grid);
+    require_options_of(merged, settings);
+    return merged;
+  }
   merged.input = read_volume(settings.input, {settings.series_uid, check_grid});
+  merged.series_uid = settings.series_uid;
   merged.field = settings.field;
-  merged.exterior = settings.exterior;
+  merged.exterior = settings.exterior.value_or(MergeOptions{}.exterior);
   return merged;
+}
+
+std::string source_name(const MergedVolume &merged)
+{
+  const std::filesystem::path path = merged.input.source.path;
+  return (path.has_filename() ? path : path.parent_path()).filename().string(); // folder/ has none
+}
+
+Settings settings_of_merge(Settings settings, const MergedVolume &merged)
+{
+  settings.series_uid = merged.series_uid;
+  if (!settings.field.sigma_mm)
+    settings.field.sigma_mm = merged.field.sigma_mm;
+  settings.field.edge_map = merged.field.edge_map;
+  settings.exterior = merged.exterior;
+  return settings;
 }
 
 void merge_input(MergedVolume &merged, const Progress &progress)

@@ -12,6 +12,8 @@ namespace volsurf {
 
 struct MergedVolume {
   InputVolume input;
+  bool is_stored = false;                ///< it comes from a file of --save-hierarchy, not from the scan itself
+  std::string series_uid;                ///< of the DICOM series that was asked for, if one was
   FieldOptions field;                    ///< what the merge is made with, as it was given
   Exterior exterior = Exterior::none;    ///< likewise
   std::int64_t non_finite_gradients = 0; ///< samples that were taken as walls
@@ -23,10 +25,17 @@ struct MergedVolume {
 /// The memory that a run on such a grid is expected to take at most, meshes excepted: the samples and the merge.
 std::uint64_t expected_memory_bytes(const Grid &grid);
 
-/// Reads settings.input. `found` gets its grid before the samples are read. Throws InputError, also where more memory
-/// would be needed than settings allow.
+/// The name of the scan, without its folder.
+std::string source_name(const MergedVolume &merged);
+
+/// Reads settings.input, a scan or a file of --save-hierarchy, which is told by its first bytes. `found` gets its grid
+/// before the samples are read. Throws InputError, also where more memory would be needed than settings allow, and
+/// UsageError where settings ask for another field, exterior or series than the file holds.
 MergedVolume read_input(const Settings &settings, const Progress &progress = {},
                         const std::function<void(const Grid &)> &found = {});
+
+/// Settings with the field, exterior and series that the merge is made with.
+Settings settings_of_merge(Settings settings, const MergedVolume &merged);
 
 /// Computes the gradient and merges, unless that is done already. Throws UsageError for a sigma out of range, and
 /// Cancelled.

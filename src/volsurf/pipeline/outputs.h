@@ -3,8 +3,8 @@
 
 #include "volsurf/core/mesh.h"
 #include "volsurf/io/output_file.h"
+#include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/report.h"
-#include "volsurf/topology/region_merge.h"
 
 #include <optional>
 #include <vector>
@@ -16,9 +16,8 @@ struct Results {
   double delta;
   const Mesh &mesh;
   const EdgeField &field;
-  const RegionMerge &merge;
+  const MergedVolume &merged;
   const Regions &regions;
-  const Grid &grid;
 };
 
 /// All files that a run was asked for. They are written under other names, so that they can appear together, at the
@@ -39,6 +38,7 @@ private:
   std::vector<PendingOutput> surfaces_;
   std::optional<PendingOutput> labels_;
   std::optional<PendingOutput> report_;
+  std::optional<PendingOutput> hierarchy_;
 };
 
 } // namespace volsurf

@@ -51,6 +51,7 @@ Json options_json(const Report &report)
                {"outputs", outputs},
                {"labels", path_or_null(settings.labels)},
                {"report", path_or_null(settings.report)},
+               {"save_hierarchy", path_or_null(settings.hierarchy)},
                {"series_uid", settings.series_uid.empty() ? Json(nullptr) : Json(settings.series_uid)},
                {"threads", report.threads}};
   return options;
@@ -115,7 +116,8 @@ std::string to_json(const Report &report)
                    {{"path", report.source.path},
                     {"bytes", report.source.bytes},
                     {"sha256", report.source.sha256},
-                    {"pixel_type", report.pixel_type}}},
+                    {"pixel_type", report.pixel_type},
+                    {"hierarchy", report.is_stored_merge ? Json(report.settings.input.string()) : Json(nullptr)}}},
                   {"geometry", geometry_json(report.grid)},
                   {"options", options_json(report)},
                   {"counts",

@@ -21,7 +21,8 @@ struct RegionSummary {
 
 struct Report {
   Settings settings;
-  SourceFile source;
+  bool is_stored_merge = false; ///< the input is a file of --save-hierarchy
+  SourceFile source;            ///< the scan
   std::string pixel_type;
   Grid grid;
   double sigma_mm = 0;

@@ -6,6 +6,7 @@
 #include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/outputs.h"
 #include "volsurf/pipeline/selection.h"
+#include "volsurf/pipeline/stored_merge.h"
 #include "volsurf/pipeline/summary.h"
 #include "volsurf/surface/extract.h"
 
@@ -29,7 +30,7 @@ std::filesystem::path place_of(const std::filesystem::path &file)
 void require_distinct_files(const Settings &settings)
 {
   std::vector<std::filesystem::path> files = settings.outputs;
-  for (const auto &file : {settings.labels, settings.report})
+  for (const auto &file : {settings.labels, settings.report, settings.hierarchy})
     if (file)
       files.push_back(*file);
   files.push_back(settings.input);
@@ -49,6 +50,8 @@ void check_settings(const Settings &settings)
     output_kind_of(output);
   if (settings.labels)
     require_nrrd_extension(*settings.labels);
+  if (settings.hierarchy)
+    require_hierarchy_extension(*settings.hierarchy);
   require_distinct_files(settings);
 }
 
@@ -64,19 +67,21 @@ void require_boundary(const Settings &settings, double delta, const Hierarchy &h
 
 } // namespace
 
-Report run(const Settings &settings, const Progress &progress, const std::function<void(const Report &)> &publish,
+Report run(const Settings &requested, const Progress &progress, const std::function<void(const Report &)> &publish,
            const std::function<void(const Grid &)> &found)
 {
-  check_settings(settings);
-  const ThreadLimit limit(settings.threads);
+  check_settings(requested);
+  const ThreadLimit limit(requested.threads);
   StageTimer timer;
   Report report;
-  report.settings = settings;
-  report.threads = settings.threads > 0 ? settings.threads : available_threads();
+  report.threads = requested.threads > 0 ? requested.threads : available_threads();
 
-  MergedVolume merged = read_input(settings, progress, found);
+  MergedVolume merged = read_input(requested, progress, found);
+  const Settings settings = settings_of_merge(requested, merged);
   Outputs outputs(settings);
   const Grid &grid = merged.input.volume.grid;
+  report.settings = settings;
+  report.is_stored_merge = merged.is_stored;
   report.source = merged.input.source;
   report.pixel_type = merged.input.pixel_type;
   report.warnings = merged.input.warnings;
@@ -125,7 +130,7 @@ Report run(const Settings &settings, const Progress &progress, const std::functi
   timer.lap("check");
 
   report_progress(progress, "write", 0);
-  outputs.write_results({report.decision.delta, mesh, field, merge, regions, grid});
+  outputs.write_results({report.decision.delta, mesh, field, merged, regions});
   timer.lap("write");
   report.seconds = timer.seconds();
   report.peak_memory_bytes = peak_memory_bytes();

@@ -26,16 +26,17 @@ struct Settings {
 
   FieldOptions field;
   DeltaChoice delta = AutomaticDelta{}; ///< the persistence that a boundary must reach, in intensity per mm
-  Exterior exterior = Exterior::none;
+  std::optional<Exterior> exterior;     ///< not set: none, or what a stored hierarchy was made with
 
   SurfaceKind surface = SurfaceKind::all;
   std::vector<Vec3> seeds_mm; ///< in `frame`; not empty: only the boundaries of the regions that hold these points
   ComponentOptions components;
   SmoothingOptions smoothing;
 
-  std::vector<std::filesystem::path> outputs;  ///< by extension; may be empty where labels or a report are wanted
-  std::optional<std::filesystem::path> labels; ///< region of each cell, .nrrd
-  std::optional<std::filesystem::path> report; ///< JSON
+  std::vector<std::filesystem::path> outputs;     ///< by extension; may be empty where labels or a report are wanted
+  std::optional<std::filesystem::path> labels;    ///< region of each cell, .nrrd
+  std::optional<std::filesystem::path> report;    ///< JSON
+  std::optional<std::filesystem::path> hierarchy; ///< of --save-hierarchy, .volsurf
   Frame frame = Frame::lps;
 
   int threads = 0;                               ///< 0: all that are available
