@@ -139,6 +139,14 @@ TEST(FindDeltaCandidates, WhereNoLargeRegionStandsOutSmallerOnesCount)
   EXPECT_LT(candidates.front().part, 0.001);
 }
 
+TEST(FindDeltaCandidates, LargeRegionsThatAreOnlyNoiseDoNotHideASmallOne)
+{
+  const auto candidates = find_delta_candidates(hierarchy_of({{14, 3000}, {0.72F, 30000}, {0.71F, 40000}}), 1, 5);
+  ASSERT_FALSE(candidates.empty());
+  EXPECT_EQ(candidates.front().low, 1.7);
+  EXPECT_EQ(candidates.front().high, 14);
+}
+
 TEST(FindDeltaCandidates, AFieldWithoutWallsHasNone)
 {
   EXPECT_TRUE(find_delta_candidates(hierarchy_of({}), 0, 5).empty());

@@ -15,8 +15,13 @@ constexpr std::array<double, 5> kPartFactors{0.5, 0.7, 1.0, 1.4, 2.0};
 constexpr double kFirstPart = 0.01;
 constexpr double kNextPart = 0.1; ///< times as large, where no region of the last size stands out
 
-/// Noise merges its large regions below this many deviations of the gradient.
+/// Noise merges its regions of 1 % of the scan below this many deviations of the gradient, and its smallest ones below
+/// the second.
 constexpr double kNoiseMerges = 0.7;
+constexpr double kSmallNoiseMerges = 1.7;
+
+/// A wall of a large region stands out where it is so many times as strong as those of noise, and not by chance.
+constexpr double kStandsOut = 1.25;
 
 /// The search ends this far below the strongest wall: so weak a wall beside it is texture.
 constexpr double kLargestRatio = 16;
@@ -113,9 +118,11 @@ std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, do
   for (const std::int64_t cells : hierarchy.cell_counts)
     all_cells += static_cast<double>(cells);
 
-  const double noise = kNoiseMerges * noise_in_gradient;
+  double noise = kNoiseMerges * noise_in_gradient;
   double part = kFirstPart;
   auto strongest = strongest_of(merges, part * all_cells);
+  if (!(strongest > kStandsOut * noise))
+    noise = kSmallNoiseMerges * noise_in_gradient;
   while (!(strongest > noise) && part * all_cells > 1) {
     part *= kNextPart;
     strongest = strongest_of(merges, part * all_cells);

@@ -7,7 +7,8 @@
 // are what the scan itself consists of. Noise, on the other hand, merges its large regions all at once, below 0.72
 // times its deviation in the gradient (its small ones last up to 1.7 times), and that is where the search ends. How
 // large a part must be to count, 0.5 to 2 % of the scan, would be one more number to guess; so gaps are measured for
-// several such numbers and their widths added. docs/automatic_delta.md shows the evidence and the failures.
+// several such numbers and their widths added. Where no region of that size stands out, the small ones of a small organ
+// do, if they are above all noise. docs/automatic_delta.md shows the evidence and the failures.
 #pragma once
 
 #include "volsurf/topology/hierarchy.h"
