@@ -34,8 +34,10 @@ protected:
   {
     const std::string merge = scan + " " + merge_options;
     save(merge + " --delta 2");
-    for (const std::string &options : cut_options)
-      EXPECT_TRUE(results("scan.volsurf " + options) == results(merge + " " + options)) << options;
+    for (const std::string &options : cut_options) {
+      const std::string cut = " " + options;
+      EXPECT_TRUE(results("scan.volsurf" + cut) == results(merge + cut)) << options;
+    }
   }
 
   /// The saved hierarchy of the ball, made with --sigma 0.5.
