@@ -26,11 +26,12 @@ from vtkmodules.vtkCommonCore import (
     VTK_UNSIGNED_SHORT,
     vtkLookupTable,
 )
-from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataObject, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkImageAppend, vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkImageAppend, vtkPolyDataNormals, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkImageReader2, vtkNIFTIImageReader, vtkNrrdReader, vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkImageShrink3D
@@ -90,17 +91,25 @@ def parse_arguments(words):
         default="none",
         help="Persistence, Component, RegionA, RegionB, Cap or another array of the triangles; none (default)",
     )
+    parser.add_argument(
+        "--thresholds",
+        nargs="+",
+        type=float,
+        metavar="D",
+        help="draws each surface once per number: its triangles with a Persistence of at least D",
+    )
     parser.add_argument("--range", metavar="LOW,HIGH", help="of the colours; default: 2nd to 98th percentile")
     parser.add_argument("--plain", choices=PLAIN_COLOURS, default="bone", help="the colour with --color none")
     parser.add_argument("--opacity", type=float, default=1.0, help="of the surfaces, 0 to 1 (default)")
     parser.add_argument("--clip", choices=HALVES, help="cut this half away, to look inside")
-    parser.add_argument("--captions", nargs="+", default=[], metavar="TEXT", help="one per surface")
+    parser.add_argument("--captions", nargs="+", default=[], metavar="TEXT", help="one per part of the picture")
     parser.add_argument("--together", action="store_true", help="one scale and place for all, instead of each fitted")
     parser.add_argument("--zoom", type=float, default=1.0)
     parser.add_argument("--size", default="900x700", help="WIDTHxHEIGHT of each surface's part (default: 900x700)")
     arguments = parser.parse_args(words)
-    if arguments.captions and len(arguments.captions) != len(arguments.surfaces):
-        parser.error("--captions needs one text per surface")
+    parts = len(arguments.surfaces) * len(arguments.thresholds or [0])
+    if arguments.captions and len(arguments.captions) != parts:
+        parser.error(f"--captions needs one text per part of the picture, of which there are {parts}")
     arguments.size = numbers_of(parser, "--size", arguments.size, r"(\d+)x(\d+)", int)
     if arguments.range:
         arguments.range = numbers_of(parser, "--range", arguments.range, r"([^,]+),([^,]+)", float)
@@ -149,6 +158,21 @@ def read_surface(path, colour_array):
     if colour_array != "none" and not surface.GetCellData().HasArray(colour_array):
         fail(f"{path}: has no array '{colour_array}' for its triangles")
     return in_lps(surface)
+
+
+def above_threshold(surface, delta):
+    """The triangles of a surface that stay up to this delta."""
+    threshold = vtkThreshold()
+    threshold.SetInputData(surface)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Persistence")
+    threshold.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(delta)
+    polygons = vtkGeometryFilter()
+    polygons.SetInputConnection(threshold.GetOutputPort())
+    polygons.Update()
+    if polygons.GetOutput().GetNumberOfPolys() == 0:
+        fail(f"--thresholds: no triangle stays up to {delta:g}")
+    return polygons.GetOutput()
 
 
 def in_lps(surface):
@@ -607,6 +631,8 @@ def main(words):
     if not os.environ.get("DISPLAY"):
         return run_on_virtual_display(words)
     surfaces = [read_surface(path, arguments.color) for path in arguments.surfaces]
+    if arguments.thresholds:
+        surfaces = [above_threshold(surface, delta) for surface in surfaces for delta in arguments.thresholds]
     scan = read_volume(arguments.volume) if arguments.volume else None
     write_png(images_of(surfaces, scan, arguments), arguments.png)
     return 0
