@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/kernel_rows.h"
 #include "volsurf/field/row_kernels.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 namespace volsurf {
 
 namespace {
-
-constexpr int kLargestRadius = static_cast<int>(4 * kLargestSigmaVoxels);
 
 int kernel_radius(double sigma_voxels)
 {
@@ -46,33 +45,6 @@ PlaneScratch &thread_scratch()
 {
   thread_local PlaneScratch scratch;
   return scratch;
-}
-
-/// What a kernel sees: rows at equal distances from each other.
-using RowPointers = std::array<const float *, 2 * kLargestRadius + 1>;
-
-/// The rows that start at first, first + stride, ...; positions beyond 0 .. last are taken at the border.
-RowPointers kernel_rows(const float *first, std::int64_t stride, std::int64_t centre, std::int64_t last, int radius)
-{
-  RowPointers rows;
-  for (int k = -radius; k <= radius; ++k)
-    rows[static_cast<std::size_t>(k) + static_cast<std::size_t>(radius)] =
-        first + std::clamp<std::int64_t>(centre + k, 0, last) * stride;
-  return rows;
-}
-
-/// Shifted views of a padded row.
-RowPointers shifted_rows(const float *padded, int radius)
-{
-  RowPointers rows;
-  std::iota(rows.begin(), rows.begin() + 2 * radius + 1, padded);
-  return rows;
-}
-
-void pad_row(std::vector<float> &row, int radius)
-{
-  std::fill_n(row.begin(), radius, row[static_cast<std::size_t>(radius)]);
-  std::fill_n(row.rbegin(), radius, *(row.rbegin() + radius));
 }
 
 /// The neighbours of position i that a difference takes, and what to multiply it by.
@@ -225,14 +197,14 @@ void EdgeField::gaussian_plane(std::int64_t z, float *out) const
   for (auto &row : scratch.gradient)
     row.resize(static_cast<std::size_t>(nx));
 
-  const auto along_z = kernel_rows(volume_.samples.data(), nx * ny, z, nz - 1, rz);
+  const auto along_z = rows_around(volume_.samples.data(), nx * ny, z, nz - 1, rz);
   smooth_row(along_z.data(), kz.smooth.data(), rz, nx * ny, scratch.smooth_z.data());
   derive_row(along_z.data(), kz.derive.data(), rz, nx * ny, scratch.derived_z.data());
 
   std::int64_t non_finite = 0;
   for (std::int64_t y = 0; y < ny; ++y) {
-    const auto smooth_along_y = kernel_rows(scratch.smooth_z.data(), nx, y, ny - 1, ry);
-    const auto derived_along_y = kernel_rows(scratch.derived_z.data(), nx, y, ny - 1, ry);
+    const auto smooth_along_y = rows_around(scratch.smooth_z.data(), nx, y, ny - 1, ry);
+    const auto derived_along_y = rows_around(scratch.derived_z.data(), nx, y, ny - 1, ry);
     smooth_row(smooth_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[0].data() + rx);
     derive_row(smooth_along_y.data(), ky.derive.data(), ry, nx, scratch.yz[1].data() + rx);
     smooth_row(derived_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[2].data() + rx);

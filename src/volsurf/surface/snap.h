@@ -1,0 +1,35 @@
+// Sub-voxel placement: the points of a surface move along its normal to the edge of the volume.
+//
+// In: a mesh whose staircase has been smoothed, and a function that finds the edge along a line. Out: the same mesh,
+// its points moved. Guarantees: no point of a wall moves further than the limit, caps stay in the border planes of the
+// grid, no triangle turns over, and no thread count changes a byte. Passes: the way of each point to its edge; ways far
+// from those around are dropped; points without a way, those on junction curves among them, go with their neighbours;
+// moves that would turn a triangle over are taken back.
+#pragma once
+
+#include "volsurf/core/grid.h"
+#include "volsurf/core/mesh.h"
+
+#include <functional>
+#include <optional>
+
+namespace volsurf {
+
+/// The way in mm from a fractional index along a direction (unit length, mm along the grid's axes) to the edge, nothing
+/// where there is none within a limit in mm. Called from several threads.
+using FindEdge = std::function<std::optional<double>(const Vec3 &index, const Vec3 &direction, double limit_mm)>;
+
+/// The furthest way of a point to its edge, in voxels along it: so far a smoothed staircase is off at most.
+constexpr double kSnapLimitVoxels = 1.5;
+
+struct SnapResult {
+  std::int64_t moved = 0;         ///< points that went to their edge
+  std::int64_t followed = 0;      ///< points that have none, or lie on a junction, and went with their neighbours
+  std::int64_t rejected = 0;      ///< points that stayed, since a triangle would have turned over
+  double root_mean_square_mm = 0; ///< of the ways of all points
+};
+
+/// O(points * steps of find_edge), parallel.
+SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge);
+
+} // namespace volsurf

@@ -1,0 +1,110 @@
+#include "volsurf/field/edge_locator.h"
+
+#include "support/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+using namespace volsurf;
+using namespace volsurf::support;
+
+namespace {
+
+constexpr std::int64_t kSize = 40;
+
+/// A body of 100 in an emptiness of 20, each sample the mean over its voxel.
+Volume body(const std::function<double(const Vec3 &)> &distance)
+{
+  Volume volume;
+  volume.grid.size = {kSize, kSize, kSize};
+  constexpr int kParts = 6;
+  for_each_sample(volume.grid.size, [&](const Index3 &p, SampleId) {
+    int inside = 0;
+    for_each_sample({kParts, kParts, kParts}, [&](const Index3 &part, SampleId) {
+      Vec3 place{};
+      for (int axis = 0; axis < 3; ++axis)
+        place[axis] = static_cast<double>(p[axis]) + (static_cast<double>(part[axis]) + 0.5) / kParts - 0.5;
+      inside += distance(place) < 0;
+    });
+    volume.samples.push_back(20 + 80 * static_cast<float>(inside) / static_cast<float>(kParts * kParts * kParts));
+  });
+  return volume;
+}
+
+const Vec3 kCentre{19.3, 20.1, 19.8};
+
+double distance_to_ball(const Vec3 &p, double radius)
+{
+  return std::hypot(p[0] - kCentre[0], p[1] - kCentre[1], p[2] - kCentre[2]) - radius;
+}
+
+Vec3 along(const Vec3 &start, const Vec3 &direction, double way)
+{
+  return {start[0] + way * direction[0], start[1] + way * direction[1], start[2] + way * direction[2]};
+}
+
+const std::array<Vec3, 4> kDirections{Vec3{1, 0, 0}, Vec3{0, 0.6, -0.8}, Vec3{-0.48, 0.6, 0.64},
+                                      Vec3{0.57735, 0.57735, 0.57735}};
+
+} // namespace
+
+TEST(EdgeLocator, FindsAPlaneBetweenTheSamples)
+{
+  const EdgeLocator locator(body([](const Vec3 &p) { return 0.8 * p[0] + 0.6 * p[1] - 27.37; }), 1.0);
+  const Vec3 normal{0.8, 0.6, 0};
+  for (const double off : {-1.2, -0.4, 0.0, 0.3, 1.1}) {
+    const auto way = locator.find(along({19.496, 19.6216, 20}, normal, off), normal, 1.5);
+    ASSERT_TRUE(way.has_value()) << off;
+    EXPECT_NEAR(*way + off, 0, 0.02) << off;
+  }
+}
+
+TEST(EdgeLocator, IsHardlyBiasedByCurvature)
+{
+  constexpr int kDirections = 200;
+  for (const double radius : {6.0, 14.0})
+    for (const double sigma : {1.0, 1.5}) {
+      const EdgeLocator locator(body([&](const Vec3 &p) { return distance_to_ball(p, radius); }), sigma);
+      double sum = 0;
+      for (int i = 0; i < kDirections; ++i) {
+        const double z = 2 * (i + 0.5) / kDirections - 1; // a spiral from pole to pole
+        const double turn = 2.39996 * i;
+        const Vec3 direction{std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z};
+        const auto way = locator.find(along(kCentre, direction, radius + 0.3), direction, 1.5);
+        ASSERT_TRUE(way.has_value());
+        sum += *way + 0.3;
+      }
+      const double bias_of_maximum = sigma * sigma / radius;
+      EXPECT_NEAR(sum / kDirections, 0, 0.2 * bias_of_maximum) << "radius " << radius << ", sigma " << sigma;
+    }
+}
+
+TEST(EdgeLocator, FindsTheSameEdgeFromInsideAndFromOutside)
+{
+  const EdgeLocator locator(body([](const Vec3 &p) { return distance_to_ball(p, 12); }), 1.0);
+  for (const Vec3 &direction : kDirections) {
+    const Vec3 place = along(kCentre, direction, 12.3);
+    const auto outwards = locator.find(place, direction, 1.5);
+    const auto inwards = locator.find(place, {-direction[0], -direction[1], -direction[2]}, 1.5);
+    ASSERT_TRUE(outwards && inwards);
+    EXPECT_NEAR(*outwards, -*inwards, 1e-9);
+  }
+}
+
+TEST(EdgeLocator, FindsNothingBeyondItsLimit)
+{
+  const EdgeLocator locator(body([](const Vec3 &p) { return distance_to_ball(p, 12); }), 1.0);
+  EXPECT_FALSE(locator.find(along(kCentre, {1, 0, 0}, 13.2), {1, 0, 0}, 1.0));
+  EXPECT_TRUE(locator.find(along(kCentre, {1, 0, 0}, 13.2), {1, 0, 0}, 1.5));
+}
+
+TEST(EdgeLocator, TakesDirectionsAndWaysInMillimetres)
+{
+  Volume volume = body([](const Vec3 &p) { return p[2] - 20.25; });
+  volume.grid.spacing_mm = {0.5, 0.5, 2};
+  const EdgeLocator locator(volume, 1.0);
+  const auto way = locator.find({20, 20, 20}, {0, 0, 1}, 3);
+  ASSERT_TRUE(way.has_value());
+  EXPECT_NEAR(*way, 0.25 * 2, 0.2); // a tenth of a voxel
+}
