@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace volsurf {
 
@@ -199,21 +198,6 @@ std::int64_t checked_planes_per_slab(const CellGrid &cells, std::int64_t planes_
   return std::min(planes_per_slab, most);
 }
 
-/// Calls visit(SaddleEdge) for each saddle face of a slab between two basins.
-template <typename Visit>
-void for_each_edge(const CellGrid &cells, const Basins &basins, const SlabStars &stars, Visit visit)
-{
-  for (std::size_t i = 0; i < stars.saddles.size(); ++i) {
-    const auto cell = static_cast<CellId>(stars.saddles[i] >> 3);
-    const auto step = static_cast<Step>(stars.saddles[i] & 7U);
-    const BasinId a = basins.labels[cell];
-    const BasinId b =
-        step == kToExterior ? static_cast<BasinId>(basins.roots.size() - 1) : basins.labels[cell + cells.offset(step)];
-    if (a != b)
-      visit(SaddleEdge{stars.saddle_values[i], a, b});
-  }
-}
-
 } // namespace
 
 Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, std::int64_t planes_per_slab)
@@ -244,26 +228,6 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
       relabel_exits(slab, cells.plane, slab_exits, basins);
   });
   return basins;
-}
-
-std::vector<SaddleEdge> saddle_edges(const CellGrid &cells, const Basins &basins, StarSweep &sweep)
-{
-  // Counted first, so that no more memory is taken than the edges need: here the merge is at its largest.
-  const auto slabs = static_cast<std::int64_t>(sweep.slabs.size());
-  std::vector<std::size_t> starts(sweep.slabs.size() + 1);
-  parallel_for_slabs(slabs, 1, [&](const Slab &slab) {
-    const auto index = static_cast<std::size_t>(slab.index);
-    for_each_edge(cells, basins, sweep.slabs[index], [&](const SaddleEdge &) { ++starts[index + 1]; });
-  });
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<SaddleEdge> edges(starts.back());
-  parallel_for_slabs(slabs, 1, [&](const Slab &slab) {
-    const auto index = static_cast<std::size_t>(slab.index);
-    std::size_t next = starts[index];
-    for_each_edge(cells, basins, sweep.slabs[index], [&](const SaddleEdge &edge) { edges[next++] = edge; });
-    sweep.slabs[index] = {};
-  });
-  return edges;
 }
 
 } // namespace volsurf

@@ -1,6 +1,7 @@
 #include "volsurf/topology/hierarchy.h"
 
 #include "volsurf/core/radix_sort.h"
+#include "volsurf/topology/basin_forest.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,16 +10,6 @@
 namespace volsurf {
 
 namespace {
-
-/// Finds the representative, halving the path.
-BasinId find(std::vector<BasinId> &parent, BasinId basin)
-{
-  while (parent[basin] != basin) {
-    parent[basin] = parent[parent[basin]];
-    basin = parent[basin];
-  }
-  return basin;
-}
 
 /// Basins are numbered in the order of their maximal vertices, which breaks ties.
 bool is_elder(const std::vector<float> &values, BasinId a, BasinId b)
@@ -33,10 +24,10 @@ std::vector<BasinId> join_basins(const std::vector<SaddleEdge> &edges, const std
 {
   std::vector<BasinId> elder_side(values.size());
   std::iota(elder_side.begin(), elder_side.end(), BasinId{0});
-  std::vector<BasinId> component = elder_side; // D1: its representative is its eldest basin
+  BasinForest components(values.size()); // D1: the representative is the eldest basin
   for (const SaddleEdge &edge : edges) {
-    BasinId elder = find(component, edge.a);
-    BasinId younger = find(component, edge.b);
+    BasinId elder = components.find(edge.a);
+    BasinId younger = components.find(edge.b);
     if (elder == younger)
       continue;
     BasinId side = edge.a;
@@ -47,7 +38,7 @@ std::vector<BasinId> join_basins(const std::vector<SaddleEdge> &edges, const std
     // An edge map of both signs may overflow, but only the eldest basin's persistence is infinite.
     persistence[younger] = std::min(values[younger] - edge.value, std::numeric_limits<float>::max());
     elder_side[younger] = side;
-    component[younger] = elder;
+    components.join(elder, younger);
   }
   return elder_side;
 }
@@ -64,12 +55,11 @@ std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
 /// their ancestors by then.
 std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank)
 {
-  std::vector<BasinId> linked(elder_side.size());
-  std::iota(linked.begin(), linked.end(), BasinId{0});
-  std::vector<BasinId> ancestor = linked;
+  BasinForest linked(elder_side.size());
+  std::vector<BasinId> ancestor(elder_side.size());
   for (auto basin = by_rank.rbegin(); basin != by_rank.rend(); ++basin) {
-    ancestor[*basin] = find(linked, elder_side[*basin]);
-    linked[*basin] = ancestor[*basin];
+    ancestor[*basin] = linked.find(elder_side[*basin]);
+    linked.join(ancestor[*basin], *basin);
   }
   return ancestor;
 }
@@ -78,7 +68,7 @@ std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_sid
 
 Hierarchy make_hierarchy(Basins &basins, std::vector<SaddleEdge> &edges, Exterior exterior)
 {
-  radix_sort(edges, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
+  sort_edges(edges);
 
   Hierarchy hierarchy;
   hierarchy.roots = std::move(basins.roots);

@@ -8,7 +8,7 @@
 // component.
 #pragma once
 
-#include "volsurf/topology/basins.h"
+#include "volsurf/topology/saddle_edges.h"
 
 #include <optional>
 
