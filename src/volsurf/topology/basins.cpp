@@ -22,6 +22,12 @@ bool is_pointer(BasinId entry)
   return (entry & kPointerFlag) != 0;
 }
 
+/// Is it a pointer to a cell before this one? Labels wrap round to places that no slab has.
+bool leads_back(BasinId entry, std::int64_t cell)
+{
+  return entry - kPointerFlag < static_cast<BasinId>(cell);
+}
+
 /// condition ? a : b without a branch: here it would be a coin's throw.
 BasinId choose(bool condition, BasinId a, BasinId b)
 {
@@ -45,8 +51,8 @@ class SlabLabeller {
 public:
   SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins,
                std::vector<Exit> &exits)
-      : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), exterior_(exterior), basins_(basins),
-        exits_(exits)
+      : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), row_(cells.row), exterior_(exterior),
+        basins_(basins), exits_(exits), runs_(static_cast<std::size_t>(cells.row))
   {
     for (Step step = 0; step < kNoStep; ++step)
       offsets_[step] = cells.offset(step);
@@ -82,9 +88,18 @@ private:
     if (target < 0 || target >= size_)
       return new_exit(begin_ + target);
     BasinId entry = choose(target < cell, entries_[target], static_cast<BasinId>(target) | kPointerFlag);
-    while (is_pointer(entry) && (entry & ~kPointerFlag) < static_cast<std::uint64_t>(cell))
+    entry = followed(entry, cell); // the first time without a branch, which would often be mispredicted
+    while (leads_back(entry, cell))
       entry = entries_[entry & ~kPointerFlag];
     return entry;
+  }
+
+  /// What stands where an entry leads back to, else the entry.
+  BasinId followed(BasinId entry, std::int64_t cell) const
+  {
+    const bool leads = leads_back(entry, cell);
+    const BasinId next = entries_[choose(leads, entry & ~kPointerFlag, static_cast<BasinId>(cell))];
+    return choose(leads, next, entry);
   }
 
   BasinId new_exit(CellId target)
@@ -96,28 +111,45 @@ private:
     return static_cast<BasinId>(label);
   }
 
-  /// Counts runs of cells with the same label at once.
+  /// Counts runs of cells with the same label at once, those of a row when it is done: a branch at each cell would be
+  /// mispredicted at each run.
   void read_backward()
   {
-    BasinId run_label = kUnknown;
-    std::int64_t run_end = size_;
-    for (std::int64_t cell = size_ - 1; cell >= 0; --cell) {
-      const BasinId own = entries_[cell];
-      const BasinId entry = entries_[choose(is_pointer(own), own & ~kPointerFlag, static_cast<BasinId>(cell))];
-      entries_[cell] = entry;
-      if (entry != run_label) {
-        count(run_label, run_end - cell - 1);
-        run_label = entry;
-        run_end = cell + 1;
-      }
+    for (std::int64_t row_end = size_; row_end > 0; row_end -= row_)
+      count_runs(row_end, read_row_backward(row_end - row_, row_end));
+  }
+
+  /// Gives the cells of a row their labels. Returns the end of runs_, the beginnings of the row's runs, last run first.
+  const std::int64_t *read_row_backward(std::int64_t begin, std::int64_t end)
+  {
+    std::int64_t *last_run = runs_.data();
+    BasinId label = read(end - 1);
+    *last_run = end - 1;
+    for (std::int64_t cell = end - 2; cell >= begin; --cell) {
+      const BasinId next = read(cell);
+      last_run += next != label ? 1 : 0;
+      *last_run = cell;
+      label = next;
     }
-    count(run_label, run_end);
+    return last_run + 1;
+  }
+
+  BasinId read(std::int64_t cell)
+  {
+    const BasinId own = entries_[cell];
+    return entries_[cell] = entries_[choose(is_pointer(own), own & ~kPointerFlag, static_cast<BasinId>(cell))];
+  }
+
+  void count_runs(std::int64_t row_end, const std::int64_t *runs_end)
+  {
+    for (const std::int64_t *run = runs_.data(); run != runs_end; ++run) {
+      count(entries_[*run], row_end - *run);
+      row_end = *run;
+    }
   }
 
   void count(BasinId label, std::int64_t cells)
   {
-    if (cells == 0)
-      return;
     if (label >= basins_.roots.size())
       exits_[label - basins_.roots.size()].cell_count += cells;
     else if (label == exterior_)
@@ -129,9 +161,11 @@ private:
   BasinId *entries_; // of the slab's cells
   CellId begin_;
   std::int64_t size_;
+  std::int64_t row_;
   BasinId exterior_;
   Basins &basins_;
   std::vector<Exit> &exits_;
+  std::vector<std::int64_t> runs_; // of a row: where they begin
   std::int64_t exterior_cells_ = 0;
   std::array<std::int64_t, kNoStep> offsets_{};
 };
