@@ -124,3 +124,36 @@ TEST(CheckMesh, EmptyMeshIsNeverWatertight)
   EXPECT_EQ(check.triangles, 0);
   EXPECT_DOUBLE_EQ(check.volume_mm3, 0);
 }
+
+TEST(CheckMesh, SumIsTheCheckOfBothMeshesInOne)
+{
+  const Mesh closed = tetrahedron();
+  Mesh open = tetrahedron();
+  open.triangles.pop_back();
+  std::swap(open.triangles[0][0], open.triangles[0][1]);
+  for (const Mesh &other : {closed, open, Mesh{}}) {
+    Mesh both = closed;
+    for (const Point &point : other.points)
+      both.points.push_back({point[0] - 5, point[1], point[2] + 3});
+    const Mesh moved = mesh_of({both.points.begin() + 4, both.points.end()}, other.triangles);
+    for (const Triangle &t : other.triangles)
+      both.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    const MeshCheck sum = check_mesh(closed) + check_mesh(moved);
+    const MeshCheck expected = check_mesh(both);
+    EXPECT_EQ(sum.points, expected.points);
+    EXPECT_EQ(sum.triangles, expected.triangles);
+    EXPECT_EQ(sum.shells, expected.shells);
+    EXPECT_EQ(sum.open_edges, expected.open_edges);
+    EXPECT_EQ(sum.non_manifold_edges, expected.non_manifold_edges);
+    EXPECT_EQ(sum.misoriented_edges, expected.misoriented_edges);
+    EXPECT_EQ(sum.euler_characteristic, expected.euler_characteristic);
+    EXPECT_EQ(sum.watertight, expected.watertight);
+    EXPECT_DOUBLE_EQ(sum.genus, expected.genus);
+    EXPECT_NEAR(sum.area_mm2, expected.area_mm2, 1e-6);
+    EXPECT_EQ(sum.bounds_low_mm, expected.bounds_low_mm);
+    EXPECT_EQ(sum.bounds_high_mm, expected.bounds_high_mm);
+    if (expected.watertight) {
+      EXPECT_NEAR(sum.volume_mm3, expected.volume_mm3, 1e-6);
+    }
+  }
+}

@@ -139,4 +139,27 @@ MeshCheck check_mesh(const Mesh &mesh)
   return check;
 }
 
+MeshCheck operator+(const MeshCheck &a, const MeshCheck &b)
+{
+  if (a.triangles == 0 || b.triangles == 0)
+    return a.triangles == 0 ? b : a;
+  MeshCheck sum = a;
+  sum.points += b.points;
+  sum.triangles += b.triangles;
+  sum.shells += b.shells;
+  sum.open_edges += b.open_edges;
+  sum.non_manifold_edges += b.non_manifold_edges;
+  sum.misoriented_edges += b.misoriented_edges;
+  sum.euler_characteristic += b.euler_characteristic;
+  sum.watertight = a.watertight && b.watertight;
+  sum.genus = sum.watertight ? a.genus + b.genus : 0;
+  sum.area_mm2 += b.area_mm2;
+  sum.volume_mm3 += b.volume_mm3;
+  for (int i = 0; i < 3; ++i) {
+    sum.bounds_low_mm[i] = std::min(a.bounds_low_mm[i], b.bounds_low_mm[i]);
+    sum.bounds_high_mm[i] = std::max(a.bounds_high_mm[i], b.bounds_high_mm[i]);
+  }
+  return sum;
+}
+
 } // namespace volsurf

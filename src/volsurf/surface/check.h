@@ -27,6 +27,9 @@ struct MeshCheck {
 /// O(points + triangles).
 MeshCheck check_mesh(const Mesh &mesh);
 
+/// The check of two meshes beside each other, which share no point.
+MeshCheck operator+(const MeshCheck &a, const MeshCheck &b);
+
 /// The signed volume alone, in mm^3.
 double signed_volume_mm3(const Mesh &mesh);
 
