@@ -19,6 +19,7 @@ struct Texts {
   std::optional<std::int64_t> regions;
   std::string keep;
   std::vector<std::string> seeds;
+  std::vector<std::string> region_numbers;
   std::string report;
   bool paper = false;
   bool quiet = false;
@@ -36,6 +37,16 @@ Vec3 parse_seed(const std::string &text)
   if (!read || comma1 != ',' || comma2 != ',' || (in >> rest))
     throw UsageError("--seed: found \"" + text + "\"; allowed are three numbers X,Y,Z in mm");
   return seed;
+}
+
+std::int64_t parse_region(const std::string &text)
+{
+  constexpr std::size_t kMostDigits = 18;
+  const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+  const std::int64_t number = digits && text.size() <= kMostDigits ? std::stoll(text) : 0;
+  if (number < 1)
+    throw UsageError("--region: found \"" + text + "\"; allowed are whole numbers from 1");
+  return number;
 }
 
 /// INPUT's name without its extension, .vtp, in the current folder. A folder's name has no extension, only dots.
@@ -119,6 +130,12 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
                  "X,Y,Z in mm: only the boundary of the region that holds this point; repeatable")
       ->group("Selection")
       ->allow_extra_args(false);
+  app.add_option("--region", texts.region_numbers, "Only the boundary of the region of this number; repeatable")
+      ->group("Selection")
+      ->allow_extra_args(false);
+  app.add_option("--min-volume", settings.min_volume_mm3,
+                 "Only the boundaries of regions (hull: of islands) at least this large, in mm3 [0]")
+      ->group("Selection");
 }
 
 void add_finishing_options(CLI::App &app, Settings &settings)
@@ -136,10 +153,16 @@ void add_output_options(CLI::App &app, Settings &settings, Texts &texts)
                  "Output file, .vtp .stl .ply .obj or .vdb; repeatable [INPUT's name .vtp in this folder]")
       ->group("Output")
       ->allow_extra_args(false);
+  add_word_option<Split>(
+      app, "--split", settings.split,
+      {{"none", Split::none}, {"components", Split::components}, {"regions", Split::regions}},
+      "A file for each: none, components (FILE_component_3) or regions (FILE_region_17, closed) [none]")
+      ->group("Output");
   add_word_option<Frame>(app, "--frame", settings.frame, {{"lps", Frame::lps}, {"ras", Frame::ras}},
                          "World frame of outputs and seeds: lps or ras [lps]")
       ->group("Output");
-  app.add_option("--labels", settings.labels, "Write the region of each cell as .nrrd")->group("Output");
+  app.add_option("--labels", settings.labels, "Write the region of each cell as .nrrd, or as .seg.nrrd for 3D Slicer")
+      ->group("Output");
   app.add_option("--save-hierarchy", settings.hierarchy,
                  "Write all that further cuts need as .volsurf, which stands for the scan as INPUT")
       ->group("Output");
@@ -187,6 +210,8 @@ void finish(const Texts &texts, CommandLine &line)
     settings.components.keep = parse_keep(texts.keep);
   for (const std::string &seed : texts.seeds)
     settings.seeds_mm.push_back(parse_seed(seed));
+  for (const std::string &region : texts.region_numbers)
+    settings.region_numbers.push_back(parse_region(region));
   if (texts.paper) {
     settings.field.sigma_mm = 0;
     settings.exterior = Exterior::infinite;

@@ -50,12 +50,26 @@ void print(const std::string &text)
     throw volsurf::OutputError("standard output: cannot be written to (closed, or on a full disk)");
 }
 
+/// A line for each format.
+void print_split(const volsurf::Report &report)
+{
+  const auto &surfaces = report.surfaces;
+  const auto watertight =
+      std::count_if(surfaces.begin(), surfaces.end(), [](const auto &surface) { return surface.mesh.watertight; });
+  for (std::size_t format = 0; format < surfaces.front().files.size(); ++format)
+    std::cerr << one_line(surfaces.front().files[format].string()) << " to "
+              << one_line(surfaces.back().files[format].string()) << ": " << report.mesh.triangles << " triangles in "
+              << surfaces.size() << " files, " << watertight << " of them watertight\n";
+}
+
 void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
 {
   if (verbosity == volsurf::Verbosity::quiet)
     return;
   for (const std::string &warning : report.warnings)
     std::cerr << "volsurf: warning: " << one_line(warning) << '\n';
+  if (report.settings.split != volsurf::Split::none)
+    return print_split(report);
   for (const auto &output : report.settings.outputs)
     std::cerr << one_line(output.string()) << ": " << report.mesh.triangles << " triangles in "
               << report.components_kept << " of " << report.components << " components, between " << report.regions

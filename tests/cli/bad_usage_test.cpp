@@ -82,12 +82,34 @@ TEST_F(BadUsage, SeedAndHullExcludeEachOther)
   expect_usage("--delta 2 --seed 8,8,8 --surface hull", {"--seed", "--surface hull"});
 }
 
+TEST_F(BadUsage, RegionsAreNumbersOfRegions)
+{
+  for (const std::string region : {"0", "-1", "text", "1.5", "2x", "99999999999999999999"})
+    expect_usage("--delta 2 --region=" + region, {"--region: found \"" + region + "\"; allowed are whole numbers"});
+  expect_usage("--delta 2 --region 2 --region 3", {"--region: found 3; allowed are 1 to 2: there are 2 regions"});
+}
+
+TEST_F(BadUsage, NamedRegionsExcludeChoicesAmongAll)
+{
+  expect_usage("--delta 2 --region 2 --surface hull", {"--region", "--surface hull"});
+  expect_usage("--delta 2 --region 2 --min-volume 5", {"--region", "--min-volume"});
+  expect_usage("--delta 2 --seed 8,8,8 --min-volume 5", {"--seed", "--min-volume"});
+}
+
+TEST_F(BadUsage, ASplitNeedsSomethingToSplit)
+{
+  expect_usage("--delta 2 --split regions --surface hull", {"--split regions", "--surface hull", "--split components"});
+  expect_usage("--delta 2 --split regions -o a.vdb", {"--split: found no output that it can split"});
+  expect_usage("--delta 2 --split regions --region 1", {"--split regions: found region 1, the background"});
+}
+
 TEST_F(BadUsage, WordsOutsideTheDocumentedOnesAreAnsweredWithThem)
 {
   expect_usage("--delta 2 --frame xyz", {"--frame: found \"xyz\"; allowed are lps, ras"});
   expect_usage("--delta 2 --frame 0", {"--frame: found \"0\"; allowed are lps, ras"});
   expect_usage("--delta 2 --exterior 1", {"--exterior: found \"1\"; allowed are none, infinite"});
   expect_usage("--delta 2 --surface both", {"--surface: found \"both\"; allowed are all, hull"});
+  expect_usage("--delta 2 --split files", {"--split: found \"files\"; allowed are none, components, regions"});
   expect_usage("--delta 2 --rank-by volume", {"--rank-by: found \"volume\"; allowed are faces, area, radius"});
 }
 
@@ -98,6 +120,8 @@ TEST_F(BadUsage, NumbersOutOfRangeAreAnsweredWithTheRange)
   expect_usage("--delta 2 --smooth nan", {"--smooth: found nan; allowed are 0 to 1"});
   expect_usage("--delta 2 --passband 0", {"--passband: found 0; allowed are 0.001 to 2"});
   expect_usage("--delta 2 --iterations 1", {"--iterations: found 1; allowed are 15 to 1000"});
+  for (const std::string volume : {"-1", "nan", "inf"})
+    expect_usage("--delta 2 --min-volume " + volume, {"--min-volume: found " + volume, "allowed are finite numbers"});
   expect_usage("--delta 2 --sigma -1", {"--sigma: found -1; allowed are 0 to 64 mm"});
 }
 

@@ -170,10 +170,10 @@ TEST_F(GoodRun, TellsItsVersionAndItsOptionsOnStandardOutput)
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err + version.err, "");
   for (const std::string option :
-       {"--delta",   "--sigma",   "--paper",   "--edge-map", "--exterior",       "--keep",
-        "--rank-by", "--surface", "--seed",    "--smooth",   "--iterations",     "--passband",
-        "--output",  "--frame",   "--labels",  "--report",   "--save-hierarchy", "--series",
-        "--threads", "--quiet",   "--verbose", "--version",  "--config"})
+       {"--delta",   "--sigma",  "--paper",      "--edge-map",   "--exterior",      "--keep",    "--rank-by",
+        "--surface", "--seed",   "--smooth",     "--iterations", "--passband",      "--output",  "--frame",
+        "--labels",  "--report", "--series",     "--threads",    "--quiet",         "--verbose", "--version",
+        "--config",  "--region", "--min-volume", "--split",      "--save-hierarchy"})
     EXPECT_TRUE(contains(help.out, option));
 }
 

@@ -58,8 +58,9 @@ TEST_F(ReportSchema, AcceptsReportsOfEachKindOfRun)
        {"--delta 15", "--delta 15 --surface hull --frame ras", "--delta 20 --paper --keep 2 --rank-by radius",
         "--delta 10 --exterior infinite --keep 5% --rank-by area -o a.vdb -o a.stl --labels l.nrrd --save-hierarchy "
         "h.volsurf",
-        "--delta 15 --seed 35,0,30 --smooth 0", "--delta 5 --edge-map --threads 1 --smooth 1", "", "--regions 5",
-        "--delta 12.5% --keep 1"})
+        "--delta 15 --seed 35,0,30 --smooth 0", "--delta 15 --region 2 --region 3 --split regions --labels l.seg.nrrd",
+        "--delta 5 --min-volume 2000 --split components -o a.vdb -o a.ply -o a.obj",
+        "--delta 5 --edge-map --threads 1 --smooth 1", "", "--regions 5", "--delta 12.5% --keep 1"})
     reports.push_back(report(scan + " " + options));
   reports.push_back(report("h.volsurf --delta 20"));
   EXPECT_EQ(objections(reports), std::vector<std::string>(reports.size()));
@@ -70,7 +71,8 @@ TEST_F(ReportSchema, RefusesMissingAndUnknownKeysAtEveryLevel)
   const json whole = report(ball() + " --delta 2");
   std::vector<json> damaged;
   std::vector<std::string> expected;
-  for (const std::string place : {"", "/source", "/geometry", "/options", "/counts", "/strongest_regions/0", "/mesh"}) {
+  for (const std::string place :
+       {"", "/source", "/geometry", "/options", "/counts", "/strongest_regions/0", "/surfaces/0", "/mesh"}) {
     const json::json_pointer pointer(place);
     damaged.push_back(whole);
     damaged.back()[pointer]["surprise"] = 1;
@@ -133,6 +135,18 @@ TEST_F(ReportFile, EveryBoundaryFaceIsInTheMeshWhereAllAreKept)
   const json whole = report(head(48) + " --delta 15");
   EXPECT_EQ(whole["mesh"]["triangles"], 2 * whole["counts"]["boundary_faces"].get<int>());
   EXPECT_EQ(whole["counts"]["components_dropped"], 0);
+}
+
+TEST_F(ReportFile, TheOneSurfaceIsTheMesh)
+{
+  const json whole = report(head(48) + " --delta 15 --surface hull -o a.stl -o a.vdb -o a.ply");
+  ASSERT_EQ(whole["surfaces"].size(), 1U);
+  const json &surface = whole["surfaces"][0];
+  EXPECT_EQ(surface["files"], json({"a.stl", "a.ply"}));
+  EXPECT_TRUE(surface["region"].is_null());
+  EXPECT_TRUE(surface["component"].is_null());
+  for (const std::string key : {"triangles", "watertight", "volume_mm3", "volume_drift"})
+    EXPECT_EQ(surface[key], whole["mesh"][key]) << key;
 }
 
 TEST_F(ReportFile, StrongestRegionsDecreaseFromTheOneThatNothingJoins)

@@ -11,9 +11,9 @@ protected:
     const std::string scan = head(48);
     std::string first;
     for (const std::string threads : {"1", "2", "3", "3"}) {
-      const Outcome outcome =
-          run(scan + " --threads " + threads + " " + options +
-              " -o a.vtp -o a.stl -o a.ply -o a.obj -o a.vdb --labels a.nrrd --save-hierarchy a.volsurf");
+      const Outcome outcome = run(scan + " --threads " + threads + " " + options +
+                                  " -o a.vtp -o a.stl -o a.ply -o a.obj -o a.vdb --save-hierarchy a.volsurf" +
+                                  (options.find("--labels") == std::string::npos ? " --labels a.nrrd" : ""));
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       std::string all;
       for (const std::string &name : files())
@@ -47,6 +47,16 @@ TEST_F(SameBytes, ForTheInfiniteExterior)
 TEST_F(SameBytes, WithoutAGaussian)
 {
   expect_for("--delta 20 --sigma 0 --smooth 0 --frame ras");
+}
+
+TEST_F(SameBytes, ForEachRegionInAFileOfItsOwn)
+{
+  expect_for("--delta 10 --split regions --min-volume 3000");
+}
+
+TEST_F(SameBytes, ForEachComponentInAFileOfItsOwn)
+{
+  expect_for("--delta 10 --split components --keep 3 --labels b.seg.nrrd");
 }
 
 } // namespace

@@ -50,7 +50,8 @@ RC_GTEST_PROP(FindIslands, AreWhatFacesOfCellsConnect, ())
 
 TEST(FindIslands, CellsThatTouchAlongAnEdgeOnlyAreTwoIslands)
 {
-  const LabelledCells labels =
-      label_cells({2, 2, 1}, 3, [](const Index3 &p) { return p[0] != p[1] ? 0U : p[0] == 0 ? 1U : 2U; });
+  const LabelledCells labels = label_cells({2, 2, 1}, 3, [](const Index3 &p) {
+    return p[0] != p[1] ? 0U : p[0] == 0 ? 1U : 2U;
+  });
   EXPECT_EQ(find_islands(labels.cells, labels.region_of_basin, 3, kBackground), (std::vector<RegionId>{0, 0, 2, 3}));
 }

@@ -1,6 +1,7 @@
 // Where a run spends its time and memory.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -15,11 +16,15 @@ using StageSeconds = std::vector<std::pair<std::string, double>>;
 /// Adds the wall time from one call of lap() to the next to a list.
 class StageTimer {
 public:
-  /// The time since the last lap belongs to `stage`.
+  /// The time since the last lap belongs to `stage`, and is added to what it had before.
   void lap(const std::string &stage)
   {
     const auto now = std::chrono::steady_clock::now();
-    seconds_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+    const auto same = [&](const auto &entry) { return entry.first == stage; };
+    auto entry = std::find_if(seconds_.begin(), seconds_.end(), same);
+    if (entry == seconds_.end())
+      entry = seconds_.insert(entry, {stage, 0.0});
+    entry->second += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
 

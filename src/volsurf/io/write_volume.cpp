@@ -19,7 +19,7 @@ namespace {
 
 using Component = itk::IOComponentEnum;
 
-itk::NrrdImageIO::Pointer describe(const Grid &grid, Component type, const fs::path &file, const Provenance &provenance)
+itk::NrrdImageIO::Pointer describe(const Grid &grid, Component type, const fs::path &file, const KeyValues &fields)
 {
   const auto io = itk::NrrdImageIO::New();
   io->SetFileName(file.string());
@@ -40,10 +40,14 @@ itk::NrrdImageIO::Pointer describe(const Grid &grid, Component type, const fs::p
   }
   io->SetIORegion(region);
   itk::MetaDataDictionary &dictionary = io->GetMetaDataDictionary();
-  itk::EncapsulateMetaData<std::string>(dictionary, "Version", provenance.version);
-  itk::EncapsulateMetaData<std::string>(dictionary, "Source", provenance.source);
-  itk::EncapsulateMetaData<std::string>(dictionary, "Options", provenance.options);
+  for (const auto &[key, value] : fields)
+    itk::EncapsulateMetaData<std::string>(dictionary, key, value);
   return io;
+}
+
+KeyValues fields_of(const Provenance &provenance)
+{
+  return {{"Version", provenance.version}, {"Source", provenance.source}, {"Options", provenance.options}};
 }
 
 /// ITK does not look at the result of its last flush, so the compressed data are unpacked again. A file cut within its
@@ -63,11 +67,11 @@ void check_written(const fs::path &file, std::uint64_t data_bytes)
 
 template <typename Value>
 void write(const Grid &grid, Component type, const std::vector<Value> &values, const fs::path &file,
-           const Provenance &provenance)
+           const KeyValues &fields)
 {
   const QuietItk quiet;
   try {
-    describe(grid, type, file, provenance)->Write(values.data());
+    describe(grid, type, file, fields)->Write(values.data());
   } catch (const itk::ExceptionObject &error) {
     throw OutputError(file.string() + ": cannot be written: " + one_line(error));
   }
@@ -98,29 +102,32 @@ void require_nrrd_extension(const fs::path &path)
   require_extension(path, ".nrrd");
 }
 
-void write_labels(const LabelVolume &labels, const fs::path &file, const Provenance &provenance)
+void write_labels(const LabelVolume &labels, const fs::path &file, const Provenance &provenance, const KeyValues &more)
 {
+  KeyValues fields = fields_of(provenance);
+  fields.insert(fields.end(), more.begin(), more.end());
   const auto largest = std::max_element(labels.labels.begin(), labels.labels.end());
   const std::uint32_t highest = largest == labels.labels.end() ? 0 : *largest;
   if (highest <= std::numeric_limits<std::uint8_t>::max())
-    write(labels.grid, Component::UCHAR, narrowed<std::uint8_t>(labels.labels), file, provenance);
+    write(labels.grid, Component::UCHAR, narrowed<std::uint8_t>(labels.labels), file, fields);
   else if (highest <= std::numeric_limits<std::uint16_t>::max())
-    write(labels.grid, Component::USHORT, narrowed<std::uint16_t>(labels.labels), file, provenance);
+    write(labels.grid, Component::USHORT, narrowed<std::uint16_t>(labels.labels), file, fields);
   else
-    write(labels.grid, Component::UINT, labels.labels, file, provenance);
+    write(labels.grid, Component::UINT, labels.labels, file, fields);
 }
 
 void write_volume(const Volume &volume, PixelType type, const fs::path &file, const Provenance &provenance)
 {
+  const KeyValues fields = fields_of(provenance);
   switch (type) {
   case PixelType::uint8:
-    return write(volume.grid, Component::UCHAR, rounded<std::uint8_t>(volume.samples), file, provenance);
+    return write(volume.grid, Component::UCHAR, rounded<std::uint8_t>(volume.samples), file, fields);
   case PixelType::int16:
-    return write(volume.grid, Component::SHORT, rounded<std::int16_t>(volume.samples), file, provenance);
+    return write(volume.grid, Component::SHORT, rounded<std::int16_t>(volume.samples), file, fields);
   case PixelType::uint16:
-    return write(volume.grid, Component::USHORT, rounded<std::uint16_t>(volume.samples), file, provenance);
+    return write(volume.grid, Component::USHORT, rounded<std::uint16_t>(volume.samples), file, fields);
   case PixelType::float32:
-    return write(volume.grid, Component::FLOAT, volume.samples, file, provenance);
+    return write(volume.grid, Component::FLOAT, volume.samples, file, fields);
   }
 }
 

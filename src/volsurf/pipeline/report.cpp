@@ -42,6 +42,8 @@ Json options_json(const Report &report)
                {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},
                {"surface", settings.surface == SurfaceKind::hull ? "hull" : "all"},
                {"seeds_mm", settings.seeds_mm},
+               {"region_numbers", settings.region_numbers},
+               {"min_volume_mm3", settings.min_volume_mm3},
                {"keep", keep_text(settings.components.keep)},
                {"rank_by", rank_by_text(settings.components.rank_by)},
                {"smooth", settings.smoothing.strength},
@@ -49,6 +51,7 @@ Json options_json(const Report &report)
                {"passband", report.smoothing.pass_band},
                {"frame", frame_name(settings.frame)},
                {"outputs", outputs},
+               {"split", split_text(settings.split)},
                {"labels", path_or_null(settings.labels)},
                {"report", path_or_null(settings.report)},
                {"save_hierarchy", path_or_null(settings.hierarchy)},
@@ -84,6 +87,28 @@ Json regions_json(const Report &report)
                        {"cells", region.cells},
                        {"maximum_mm", region.maximum_mm}});
   return regions;
+}
+
+Json surfaces_json(const Report &report)
+{
+  Json surfaces = Json::array();
+  for (const SurfaceSummary &surface : report.surfaces) {
+    const auto number_of = [&](Split split) {
+      return report.settings.split == split ? Json(surface.number) : Json(nullptr);
+    };
+    Json files = Json::array();
+    for (const auto &file : surface.files)
+      files.push_back(file.string());
+    const MeshCheck &mesh = surface.mesh;
+    surfaces.push_back({{"region", number_of(Split::regions)},
+                        {"component", number_of(Split::components)},
+                        {"files", files},
+                        {"triangles", mesh.triangles},
+                        {"watertight", mesh.watertight},
+                        {"volume_mm3", mesh.volume_mm3},
+                        {"volume_drift", mesh.watertight ? Json(surface.volume_drift()) : Json(nullptr)}});
+  }
+  return surfaces;
 }
 
 Json mesh_json(const Report &report)
@@ -135,6 +160,7 @@ std::string to_json(const Report &report)
                   {"background_region", report.background_region},
                   {"strongest_regions", regions_json(report)},
                   {"component_sizes", report.component_sizes},
+                  {"surfaces", surfaces_json(report)},
                   {"mesh", mesh_json(report)},
                   {"warnings", report.warnings},
                   {"seconds", seconds},

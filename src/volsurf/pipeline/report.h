@@ -19,6 +19,17 @@ struct RegionSummary {
   Vec3 maximum_mm; ///< centre of the cell where its field is largest
 };
 
+/// A surface that was written: the whole one or, with a split, a part of it.
+struct SurfaceSummary {
+  std::uint32_t number; ///< of its region or component; 0 for the whole
+  std::vector<std::filesystem::path> files;
+  MeshCheck mesh;
+  double volume_before_mm3; ///< before smoothing
+
+  /// Relative change of the volume by smoothing; has a meaning where the mesh is watertight.
+  double volume_drift() const { return volume_before_mm3 == 0 ? 0 : mesh.volume_mm3 / volume_before_mm3 - 1; }
+};
+
 struct Report {
   Settings settings;
   bool is_stored_merge = false; ///< the input is a file of --save-hierarchy
@@ -42,7 +53,8 @@ struct Report {
   std::vector<double> component_sizes; ///< of those kept, at most 20, by what they were ranked by
 
   SmoothingResult smoothing;
-  MeshCheck mesh;
+  std::vector<SurfaceSummary> surfaces;
+  MeshCheck mesh; ///< of all surfaces together
   std::vector<std::string> warnings;
   int threads = 0;
   StageSeconds seconds;

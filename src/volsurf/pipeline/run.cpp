@@ -3,14 +3,15 @@
 #include "volsurf/core/parallel.h"
 #include "volsurf/io/write_mesh.h"
 #include "volsurf/io/write_volume.h"
+#include "volsurf/pipeline/file_names.h"
 #include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/outputs.h"
+#include "volsurf/pipeline/segments.h"
 #include "volsurf/pipeline/selection.h"
 #include "volsurf/pipeline/stored_merge.h"
 #include "volsurf/pipeline/summary.h"
-#include "volsurf/surface/extract.h"
+#include "volsurf/pipeline/surfaces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -18,41 +19,50 @@ namespace volsurf {
 
 namespace {
 
-/// The one name of a file, whether it exists or not. A name that cannot be followed stays as it is, for the reader or
-/// the writer to refuse.
-std::filesystem::path place_of(const std::filesystem::path &file)
+void check_selection(const Settings &settings)
 {
-  std::error_code error;
-  const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
-  return error ? file : place;
+  const bool names_regions = !settings.seeds_mm.empty() || !settings.region_numbers.empty();
+  const std::string naming = settings.seeds_mm.empty() ? "--region" : "--seed";
+  const bool hull = settings.surface == SurfaceKind::hull;
+  if (names_regions && hull)
+    throw UsageError(naming + " and --surface hull exclude each other: a named region has a boundary of its own");
+  if (names_regions && settings.min_volume_mm3 > 0)
+    throw UsageError(naming + " and --min-volume exclude each other: a named region is wanted whatever its size");
+  if (!(settings.min_volume_mm3 >= 0 && std::isfinite(settings.min_volume_mm3)))
+    throw UsageError("--min-volume: found " + std::to_string(settings.min_volume_mm3) +
+                     "; allowed are finite numbers from 0, in mm3");
+  if (hull && settings.split == Split::regions)
+    throw UsageError("--split regions and --surface hull exclude each other: a hull goes around all regions; "
+                     "use --split components");
 }
 
-void require_distinct_files(const Settings &settings)
+void check_outputs(const Settings &settings)
 {
-  std::vector<std::filesystem::path> files = settings.outputs;
-  for (const auto &file : {settings.labels, settings.report, settings.hierarchy})
-    if (file)
-      files.push_back(*file);
-  files.push_back(settings.input);
-  for (auto &file : files)
-    file = place_of(file);
-  for (auto file = files.begin(); file != files.end(); ++file)
-    if (std::find(files.begin(), file, *file) != file)
-      throw UsageError(file->string() + ": it is named twice; inputs and outputs must be different files");
-}
-
-void check_settings(const Settings &settings)
-{
-  if (!settings.seeds_mm.empty() && settings.surface == SurfaceKind::hull)
-    throw UsageError("--seed and --surface hull exclude each other: a seed's region has a boundary of its own");
-  check_smoothing(settings.smoothing);
   for (const auto &output : settings.outputs)
     output_kind_of(output);
+  if (settings.split != Split::none && surface_outputs(settings).empty())
+    throw UsageError("--split: found no output that it can split; allowed are .vtp, .stl, .ply and .obj");
   if (settings.labels)
     require_nrrd_extension(*settings.labels);
   if (settings.hierarchy)
     require_hierarchy_extension(*settings.hierarchy);
-  require_distinct_files(settings);
+  require_distinct_files(settings, settings.outputs);
+}
+
+void check_settings(const Settings &settings)
+{
+  check_selection(settings);
+  check_smoothing(settings.smoothing);
+  check_outputs(settings);
+}
+
+void warn_of_missing_segments(const Selection &selection, Report &report)
+{
+  const std::size_t regions = selection.regions.size();
+  if (report.settings.labels && is_segmentation(*report.settings.labels) && regions > kMostSegments)
+    report.warnings.push_back(report.settings.labels->string() + " holds the " + std::to_string(kMostSegments) +
+                              " largest of " + std::to_string(regions) +
+                              " regions; choose by --min-volume, --region or a larger --delta");
 }
 
 void require_boundary(const Settings &settings, double delta, const Hierarchy &hierarchy, const Regions &regions)
@@ -104,33 +114,15 @@ Report run(const Settings &requested, const Progress &progress, const std::funct
   summarise_regions(merge, regions, report);
   timer.lap("cut");
 
-  report_progress(progress, "boundary", 0);
   const Selection selection = select_sides(settings, grid, merge, regions, report.background_region);
-  FaceSet faces = find_boundary(merge.cells, selection.sides);
-  timer.lap("boundary");
-
-  report_progress(progress, "components", 0);
-  const Components components = find_components(faces, grid, settings.components);
-  summarise_components(components, report);
-  timer.lap("components");
-
-  report_progress(progress, "surface", 0);
-  const RegionsOfCells regions_of_cells{merge.cells, regions.of_basin, report.background_region,
-                                        merge.hierarchy.background,
-                                        [&](BasinId a, BasinId b) { return saliency(merge.hierarchy, a, b); }};
-  Mesh mesh = extract_mesh(keep_components(std::move(faces), components), grid, selection.sides, regions_of_cells,
-                           selection.one_thing);
-  timer.lap("surface");
-
-  report_progress(progress, "smooth", 0);
-  report.smoothing = smooth_mesh(mesh, grid, settings.smoothing);
-  timer.lap("smooth");
-  report.mesh = check_mesh(mesh);
+  const Provenance provenance{version_text(), source_name(merged), describe(settings, report.decision.delta)};
+  make_surfaces({grid, merge, regions, report.background_region}, settings, selection,
+                {outputs, report, timer, progress, provenance});
+  warn_of_missing_segments(selection, report);
   collect_warnings(report);
-  timer.lap("check");
 
   report_progress(progress, "write", 0);
-  outputs.write_results({report.decision.delta, mesh, field, merged, regions});
+  outputs.write_volumes({field, merged, regions, selection}, provenance);
   timer.lap("write");
   report.seconds = timer.seconds();
   report.peak_memory_bytes = peak_memory_bytes();

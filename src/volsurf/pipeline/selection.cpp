@@ -1,6 +1,7 @@
 #include "volsurf/pipeline/selection.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/surface/islands.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,26 +30,80 @@ RegionId region_at(const Vec3 &seed_mm, const Settings &settings, const Grid &gr
   return regions.of_basin[merge.cells.basins[CellGrid(merge.cells.size).id(cell[0], cell[1], cell[2])]];
 }
 
+/// A region's number, as a user gives it.
+RegionId checked_region(std::int64_t number, const Regions &regions)
+{
+  const auto count = static_cast<std::int64_t>(regions.count());
+  if (number < 1 || number > count)
+    throw UsageError("--region: found " + std::to_string(number) + "; allowed are 1 to " + std::to_string(count) +
+                     ": there are " + std::to_string(count) + " regions at this delta");
+  return static_cast<RegionId>(number);
+}
+
+/// Those that --seed and --region name.
+std::vector<RegionId> named_regions(const Settings &settings, const Grid &grid, const RegionMerge &merge,
+                                    const Regions &regions)
+{
+  std::vector<RegionId> named;
+  for (const Vec3 &seed : settings.seeds_mm)
+    named.push_back(region_at(seed, settings, grid, merge, regions));
+  for (const std::int64_t number : settings.region_numbers)
+    named.push_back(checked_region(number, regions));
+  std::sort(named.begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
+  return named;
+}
+
+[[noreturn]] void refuse_emptiness(const Settings &settings, double largest_mm3)
+{
+  const std::string things = settings.surface == SurfaceKind::hull ? "island" : "region";
+  std::ostringstream message;
+  message << settings.input.string() << ": no " << things << " has --min-volume " << settings.min_volume_mm3
+          << " mm3; the largest beside the background has " << largest_mm3 << " mm3";
+  throw EmptyResult(message.str());
+}
+
+/// Those that are no background, and of at least --min-volume: by themselves or, for a hull, with all that they hang
+/// together with.
+std::vector<RegionId> large_regions(const Settings &settings, const Grid &grid, const RegionMerge &merge,
+                                    const Regions &regions, RegionId background)
+{
+  std::vector<RegionId> thing(regions.count() + 1);
+  std::iota(thing.begin(), thing.end(), RegionId{0});
+  if (settings.surface == SurfaceKind::hull && settings.min_volume_mm3 > 0)
+    thing = find_islands(merge.cells, regions.of_basin, regions.count(), background);
+  std::vector<std::int64_t> cells(thing.size());
+  for (RegionId region = 1; region < thing.size(); ++region)
+    if (region != background)
+      cells[thing[region]] += regions.cell_counts[region - 1];
+
+  const double cell_mm3 = voxel_volume_mm3(grid);
+  std::vector<RegionId> large;
+  for (RegionId region = 1; region < thing.size(); ++region)
+    if (region != background && static_cast<double>(cells[thing[region]]) * cell_mm3 >= settings.min_volume_mm3)
+      large.push_back(region);
+  if (large.empty())
+    refuse_emptiness(settings, static_cast<double>(*std::max_element(cells.begin(), cells.end())) * cell_mm3);
+  return large;
+}
+
 } // namespace
 
 Selection select_sides(const Settings &settings, const Grid &grid, const RegionMerge &merge, const Regions &regions,
                        RegionId background)
 {
+  Selection selection;
+  selection.regions = named_regions(settings, grid, merge, regions);
+  if (selection.regions.empty())
+    selection.regions = large_regions(settings, grid, merge, regions, background);
+
   std::vector<RegionId> side(regions.count() + 1);
-  if (settings.surface == SurfaceKind::hull)
-    std::fill(side.begin() + 1, side.end(), RegionId{1});
-  else if (settings.seeds_mm.empty())
-    std::iota(side.begin(), side.end(), RegionId{0});
-  side[background] = 0;
-  for (const Vec3 &seed : settings.seeds_mm) {
-    const RegionId region = region_at(seed, settings, grid, merge, regions);
-    side[region] = region;
-  }
-  Selection selection{{regions.of_basin, side[background]}, false};
+  for (const RegionId region : selection.regions)
+    side[region] = settings.surface == SurfaceKind::hull ? 1 : region;
+  selection.sides = {regions.of_basin, side[background]};
   for (RegionId &basin_side : selection.sides.of_basin)
     basin_side = side[basin_side];
-  std::sort(side.begin(), side.end());
-  selection.one_thing = std::unique(side.begin(), side.end()) - side.begin() == 2;
+  selection.one_thing = settings.surface == SurfaceKind::hull || selection.regions.size() == 1;
   return selection;
 }
 

@@ -37,6 +37,19 @@ std::string rank_by_text(RankBy rank_by)
   return "faces";
 }
 
+std::string split_text(Split split)
+{
+  switch (split) {
+  case Split::components:
+    return "components";
+  case Split::regions:
+    return "regions";
+  case Split::none:
+    break;
+  }
+  return "none";
+}
+
 std::string describe(const Settings &settings, double delta)
 {
   std::ostringstream out;
@@ -51,6 +64,10 @@ std::string describe(const Settings &settings, double delta)
     out << " --surface hull";
   for (const Vec3 &seed : settings.seeds_mm)
     out << " --seed " << seed[0] << ',' << seed[1] << ',' << seed[2];
+  for (const std::int64_t number : settings.region_numbers)
+    out << " --region " << number;
+  if (settings.min_volume_mm3 > 0)
+    out << " --min-volume " << settings.min_volume_mm3;
   out << " --keep " << keep_text(settings.components.keep) << " --rank-by "
       << rank_by_text(settings.components.rank_by);
   out << " --smooth " << settings.smoothing.strength;
@@ -58,6 +75,8 @@ std::string describe(const Settings &settings, double delta)
     out << " --iterations " << *settings.smoothing.iterations;
   if (settings.smoothing.pass_band)
     out << " --passband " << *settings.smoothing.pass_band;
+  if (settings.split != Split::none)
+    out << " --split " << split_text(settings.split);
   out << " --frame " << (settings.frame == Frame::ras ? "ras" : "lps");
   return out.str();
 }

@@ -20,6 +20,13 @@ enum class SurfaceKind {
   hull, ///< between the background region and the others
 };
 
+/// Whether each output is one file or one per part.
+enum class Split {
+  none,
+  components, ///< of the kept surface, as they are in it
+  regions,    ///< of those that were asked for: the closed surface around each
+};
+
 struct Settings {
   std::filesystem::path input;
   std::string series_uid; ///< of a DICOM folder with several series
@@ -30,11 +37,14 @@ struct Settings {
 
   SurfaceKind surface = SurfaceKind::all;
   std::vector<Vec3> seeds_mm; ///< in `frame`; not empty: only the boundaries of the regions that hold these points
+  std::vector<std::int64_t> region_numbers; ///< >= 1, as in the mesh's arrays; beside the seeds' regions
+  double min_volume_mm3 = 0;                ///< >= 0; smaller regions (hull: islands) are not asked for
   ComponentOptions components;
   SmoothingOptions smoothing;
 
-  std::vector<std::filesystem::path> outputs;     ///< by extension; may be empty where labels or a report are wanted
-  std::optional<std::filesystem::path> labels;    ///< region of each cell, .nrrd
+  std::vector<std::filesystem::path> outputs; ///< by extension; may be empty where labels or a report are wanted
+  Split split = Split::none;
+  std::optional<std::filesystem::path> labels;    ///< region of each cell, .nrrd or, for 3D Slicer, .seg.nrrd
   std::optional<std::filesystem::path> report;    ///< JSON
   std::optional<std::filesystem::path> hierarchy; ///< of --save-hierarchy, .volsurf
   Frame frame = Frame::lps;
@@ -50,6 +60,9 @@ std::string describe(const Settings &settings, double delta);
 /// An option's value as a command line would give it: "all", "3" or "5%"; "faces", "area" or "radius".
 std::string keep_text(const Keep &keep);
 std::string rank_by_text(RankBy rank_by);
+
+/// "none", "components" or "regions".
+std::string split_text(Split split);
 
 /// The program and its version, "volsurf 1.0.0".
 std::string version_text();

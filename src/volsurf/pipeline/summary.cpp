@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace volsurf {
@@ -9,6 +10,29 @@ namespace volsurf {
 namespace {
 
 constexpr std::size_t kMostListed = 20;
+
+bool drifts(const SurfaceSummary &surface)
+{
+  return surface.mesh.watertight && std::abs(surface.volume_drift()) > kLargestVolumeDrift;
+}
+
+void warn_of_drift(Report &report)
+{
+  const auto &surfaces = report.surfaces;
+  const auto count = std::count_if(surfaces.begin(), surfaces.end(), drifts);
+  if (count == 0)
+    return;
+  const SurfaceSummary &worst = *std::max_element(surfaces.begin(), surfaces.end(), [](const auto &a, const auto &b) {
+    return (drifts(a) ? std::abs(a.volume_drift()) : 0) < (drifts(b) ? std::abs(b.volume_drift()) : 0);
+  });
+  std::ostringstream warning;
+  warning << "smoothing changed the enclosed volume ";
+  if (report.settings.split != Split::none)
+    warning << "of " << count << " of " << surfaces.size() << " surfaces, most of all that of number " << worst.number
+            << ", ";
+  warning << "by " << 100 * worst.volume_drift() << " %; try a smaller --smooth";
+  report.warnings.push_back(warning.str());
+}
 
 } // namespace
 
@@ -33,14 +57,27 @@ void summarise_regions(const RegionMerge &merge, const Regions &regions, Report 
   report.regions = static_cast<std::int64_t>(regions.count());
 }
 
-void summarise_components(const Components &components, Report &report)
+void add_components(const Components &components, Report &report)
 {
-  report.boundary_faces = static_cast<std::int64_t>(components.of_face.size());
-  report.components = static_cast<std::int64_t>(components.count());
-  report.components_kept = static_cast<std::int64_t>(components.kept);
-  report.component_sizes.assign(components.sizes.begin(),
-                                components.sizes.begin() +
-                                    static_cast<std::ptrdiff_t>(std::min<std::size_t>(components.kept, kMostListed)));
+  report.boundary_faces += static_cast<std::int64_t>(components.of_face.size());
+  report.components += static_cast<std::int64_t>(components.count());
+  report.components_kept += static_cast<std::int64_t>(components.kept);
+  std::vector<double> &sizes = report.component_sizes;
+  sizes.insert(sizes.end(), components.sizes.begin(),
+               components.sizes.begin() + static_cast<std::ptrdiff_t>(std::min(components.kept, kMostListed)));
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  sizes.resize(std::min(sizes.size(), kMostListed));
+}
+
+void summarise_surfaces(Report &report)
+{
+  double volume_before_mm3 = 0;
+  for (const SurfaceSummary &surface : report.surfaces) {
+    report.mesh = report.mesh + surface.mesh;
+    volume_before_mm3 += surface.volume_before_mm3;
+  }
+  const SurfaceSummary all{0, {}, report.mesh, volume_before_mm3};
+  report.smoothing.volume_drift = all.volume_drift();
 }
 
 void collect_warnings(Report &report)
@@ -48,12 +85,7 @@ void collect_warnings(Report &report)
   if (report.non_finite_gradients > 0)
     report.warnings.push_back(std::to_string(report.non_finite_gradients) +
                               " samples have no finite gradient and were taken as walls");
-  if (report.mesh.watertight && std::abs(report.smoothing.volume_drift) > kLargestVolumeDrift) {
-    std::ostringstream warning;
-    warning << "smoothing changed the enclosed volume by " << 100 * report.smoothing.volume_drift
-            << " %; try a smaller --smooth";
-    report.warnings.push_back(warning.str());
-  }
+  warn_of_drift(report);
 }
 
 } // namespace volsurf

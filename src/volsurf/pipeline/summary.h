@@ -8,7 +8,12 @@
 namespace volsurf {
 
 void summarise_regions(const RegionMerge &merge, const Regions &regions, Report &report);
-void summarise_components(const Components &components, Report &report);
+
+/// Adds the components of one boundary to those of others.
+void add_components(const Components &components, Report &report);
+
+/// From the surfaces, when all are there: the mesh of all together and how smoothing changed its volume.
+void summarise_surfaces(Report &report);
 
 /// Adds what the user should know of a report that is complete otherwise.
 void collect_warnings(Report &report);

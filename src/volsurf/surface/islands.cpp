@@ -1,42 +1,15 @@
 #include "volsurf/surface/islands.h"
 
+#include "volsurf/core/index_forest.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace volsurf {
 
 namespace {
 
-/// Union-find over regions; the representative of a set is its smallest id.
-class RegionForest {
-public:
-  explicit RegionForest(std::size_t regions) : parent_(regions + 1)
-  {
-    std::iota(parent_.begin(), parent_.end(), RegionId{0});
-  }
-
-  RegionId find(RegionId region)
-  {
-    while (parent_[region] != region) {
-      parent_[region] = parent_[parent_[region]];
-      region = parent_[region];
-    }
-    return region;
-  }
-
-  void join(RegionId a, RegionId b)
-  {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<RegionId> parent_;
-};
-
 /// Joins the regions of two rows of cells that lie side by side.
-void join_rows(const RegionId *a, const RegionId *b, std::int64_t count, RegionForest &islands)
+void join_rows(const RegionId *a, const RegionId *b, std::int64_t count, IndexForest &islands)
 {
   for (std::int64_t i = 0; i < count; ++i)
     if (a[i] != b[i] && a[i] != kNoRegion && b[i] != kNoRegion)
@@ -49,7 +22,7 @@ std::vector<RegionId> find_islands(const CellLabels &cells, const std::vector<Re
                                    std::size_t regions, RegionId background)
 {
   const auto &[nx, ny, nz] = cells.size;
-  RegionForest forest(regions);
+  IndexForest forest(static_cast<std::uint32_t>(regions + 1));
   std::vector<RegionId> below(static_cast<std::size_t>(nx * ny));
   std::vector<RegionId> plane = below;
   for (std::int64_t z = 0; z < nz; ++z) {

@@ -22,8 +22,7 @@ double signed_volume_mm3(const Point &apex, const Mesh &mesh, const Triangle &t)
   return determinant({a, b, c}) / 6;
 }
 
-template <typename Value>
-std::vector<Value> values_at(const std::vector<Value> &values, const TriangleList &triangles)
+template <typename Value> std::vector<Value> values_at(const std::vector<Value> &values, const TriangleList &triangles)
 {
   std::vector<Value> result;
   result.reserve(triangles.size());

@@ -1,0 +1,34 @@
+// From the regions to the surfaces: boundary, components, surface, smoothing, check, file.
+#pragma once
+
+#include "volsurf/core/progress.h"
+#include "volsurf/core/timer.h"
+#include "volsurf/pipeline/outputs.h"
+#include "volsurf/pipeline/selection.h"
+
+namespace volsurf {
+
+/// A volume, merged and cut at one delta.
+struct CutVolume {
+  const Grid &grid;
+  const RegionMerge &merge;
+  const Regions &regions;
+  RegionId background;
+};
+
+/// What the stages leave behind them.
+struct SurfaceSink {
+  Outputs &outputs;
+  Report &report;
+  StageTimer &timer;
+  const Progress &progress;
+  const Provenance &provenance;
+};
+
+/// Makes the surfaces that the selection asks for and writes them, each as soon as it is complete: one, one per kept
+/// component of it, or one per region. Throws UsageError where a split makes too many files or asks for the surface of
+/// the background, OutputError, and Cancelled.
+void make_surfaces(const CutVolume &volume, const Settings &settings, const Selection &selection,
+                   const SurfaceSink &sink);
+
+} // namespace volsurf
