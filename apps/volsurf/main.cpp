@@ -56,10 +56,13 @@ void print_split(const volsurf::Report &report)
   const auto &surfaces = report.surfaces;
   const auto watertight =
       std::count_if(surfaces.begin(), surfaces.end(), [](const auto &surface) { return surface.mesh.watertight; });
-  for (std::size_t format = 0; format < surfaces.front().files.size(); ++format)
-    std::cerr << one_line(surfaces.front().files[format].string()) << " to "
-              << one_line(surfaces.back().files[format].string()) << ": " << report.mesh.triangles << " triangles in "
-              << surfaces.size() << " files, " << watertight << " of them watertight\n";
+  for (std::size_t format = 0; format < surfaces.front().files.size(); ++format) {
+    std::cerr << one_line(surfaces.front().files[format].string());
+    if (surfaces.size() > 1)
+      std::cerr << " to " << one_line(surfaces.back().files[format].string());
+    std::cerr << ": " << report.mesh.triangles << " triangles in " << surfaces.size()
+              << (surfaces.size() == 1 ? " file, " : " files, ") << watertight << " of them watertight\n";
+  }
 }
 
 void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)

@@ -40,6 +40,17 @@ std::vector<std::string> triangles_of(const std::string &obj)
   return triangles;
 }
 
+/// 8 bright blocks along each axis of a dark cube.
+std::vector<float> samples_of_512_blocks()
+{
+  std::vector<float> samples;
+  for (int z = 0; z < 48; ++z)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 48; ++x)
+        samples.push_back(x % 6 / 3 + y % 6 / 3 + z % 6 / 3 == 3 ? 100.0F : 0.0F);
+  return samples;
+}
+
 TEST_F(SplitFiles, NumbersHaveAsManyDigitsAsTheHighest)
 {
   report(scan() + " --region 3 --region 7 --region 12 --split regions -o 'my head.v1.obj' -o ./b.STL");
@@ -122,10 +133,15 @@ TEST_F(SplitFiles, VolumesAreWrittenWhole)
 
 TEST_F(SplitFiles, MoreThanAThousandFilesAreRefused)
 {
-  const std::string noise = head(48) + " --delta 0.01 -o a.stl --split ";
-  expect_refused(noise + "regions", 2, {"--split regions: found ", "allowed are up to 1000", "--min-volume"});
-  expect_refused(noise + "components --smooth 0 --surface hull -o a.ply -o a.obj -o a.vtp", 2,
-                 {"--split components: found ", "allowed are up to 1000", "--keep"});
+  const std::string blocks = input("blocks.nrrd", float_nrrd(samples_of_512_blocks(), "48 48 48")) +
+                             " --delta 2 --sigma 0 --smooth 0 --split ";
+  const json counts = report(blocks + "components --keep 500 -o a.stl -o a.ply")["counts"];
+  EXPECT_EQ(counts["components_kept"], 500);
+  EXPECT_EQ(files().size(), 1000U);
+  expect_refused(blocks + "components -o b.stl -o b.ply", 2,
+                 {"--split components: found 1024 files", "allowed are up to 1000", "--keep"});
+  expect_refused(blocks + "regions -o b.stl -o b.ply", 2,
+                 {"--split regions: found 1024 files", "allowed are up to 1000", "--min-volume, --region"});
 }
 
 TEST_F(SplitFiles, AppearTogetherOrNotAtAll)
@@ -143,6 +159,7 @@ TEST_F(SplitFiles, NeverTakeTheNameOfAnotherFile)
 {
   expect_refused(scan() + " --split regions -o a.stl --report a_region_05.stl", 2,
                  {"a_region_05.stl: it is named twice"});
+  write_file(work / "b.stl", "");
   std::filesystem::create_symlink("b.stl", work / "a_region_03.stl");
   std::filesystem::create_symlink("b.stl", work / "a_region_10.stl");
   expect_refused(scan() + " --split regions --region 3 --region 10 -o a.stl", 2, {"b.stl: it is named twice"});
