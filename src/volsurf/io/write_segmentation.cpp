@@ -25,10 +25,10 @@ std::string text(double value)
 
 std::string extent_of(const Grid &grid, const std::string &separator)
 {
-  std::string extent;
-  for (const std::int64_t size : grid.size)
-    extent += (extent.empty() ? "0" : separator + "0") + separator + std::to_string(size - 1);
-  return extent;
+  std::ostringstream out;
+  for (int axis = 0; axis < 3; ++axis)
+    out << (axis > 0 ? separator : "") << '0' << separator << grid.size[axis] - 1;
+  return out.str();
 }
 
 /// The matrix from voxel indices to the world, by rows, and the extent. Slicer's world is RAS.
