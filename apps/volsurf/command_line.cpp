@@ -91,7 +91,7 @@ void add_field_options(CLI::App &app, Settings &settings, Texts &texts)
                "The input is an edge strength already (a gradient magnitude, a network's boundary map)")
       ->group("Field")
       ->excludes("--sigma");
-  app.add_flag("--paper", texts.paper, "Exactly the paper: --sigma 0 --exterior infinite")
+  app.add_flag("--paper", texts.paper, "Exactly the paper: --sigma 0 --exterior infinite --snap off")
       ->group("Field")
       ->excludes("--sigma")
       ->excludes("--edge-map");
@@ -141,6 +141,9 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
 void add_finishing_options(CLI::App &app, Settings &settings)
 {
   app.add_option("--smooth", settings.smoothing.strength, "Smoothing, 0 (none) to 1 [0.5]")->group("Finishing");
+  add_word_option<bool>(app, "--snap", settings.snap, {{"on", true}, {"off", false}},
+                        "Move points to the edge between samples: on or off; needs smoothing [on]")
+      ->group("Finishing");
   app.add_option("--iterations", settings.smoothing.iterations, "Smoothing passes [20 + 20 * smooth]")
       ->group("Finishing");
   app.add_option("--passband", settings.smoothing.pass_band, "Smoothing filter's pass band [10^(-1 - 0.7 * smooth)]")
@@ -215,6 +218,7 @@ void finish(const Texts &texts, CommandLine &line)
   if (texts.paper) {
     settings.field.sigma_mm = 0;
     settings.exterior = Exterior::infinite;
+    settings.snap = false;
   }
   line.report_to_stdout = texts.report == "-";
   if (!texts.report.empty() && !line.report_to_stdout)

@@ -109,6 +109,10 @@ void print_details(const volsurf::Report &report)
             << report.mesh.open_edges << " open and " << report.mesh.non_manifold_edges << " non-manifold edges\n"
             << "smoothing   " << report.smoothing.iterations << " passes at pass band " << report.smoothing.pass_band
             << ", volume drift " << 100 * report.smoothing.volume_drift << " %\n";
+  if (report.snap)
+    std::cerr << "snap        " << report.snap->moved << " points to their edge, " << report.snap->followed
+              << " with their neighbours, " << report.snap->rejected << " rejected, "
+              << report.snap->root_mean_square_mm << " mm (root mean square)\n";
   for (const auto &[stage, seconds] : report.seconds)
     std::cerr << "time        " << stage << ' ' << seconds << " s\n";
   std::cerr << "memory      " << static_cast<double>(report.peak_memory_bytes) / 1e6 << " MB at most, "

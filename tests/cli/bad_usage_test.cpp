@@ -107,6 +107,7 @@ TEST_F(BadUsage, WordsOutsideTheDocumentedOnesAreAnsweredWithThem)
 {
   expect_usage("--delta 2 --frame xyz", {"--frame: found \"xyz\"; allowed are lps, ras"});
   expect_usage("--delta 2 --frame 0", {"--frame: found \"0\"; allowed are lps, ras"});
+  expect_usage("--delta 2 --snap 1", {"--snap: found \"1\"; allowed are on, off"});
   expect_usage("--delta 2 --exterior 1", {"--exterior: found \"1\"; allowed are none, infinite"});
   expect_usage("--delta 2 --surface both", {"--surface: found \"both\"; allowed are all, hull"});
   expect_usage("--delta 2 --split files", {"--split: found \"files\"; allowed are none, components, regions"});

@@ -279,18 +279,31 @@ TEST_F(GoodRun, InfiniteExteriorDrainsWhatTheBorderCuts)
   expect_refused(cut + " --delta 2 --exterior infinite -o other.vtp", 4, {"no boundary survives delta = 2"});
 }
 
-TEST_F(GoodRun, PaperIsSigmaZeroAndInfiniteExterior)
+TEST_F(GoodRun, PaperIsSigmaZeroInfiniteExteriorAndNoSnap)
 {
   const std::string scan = head(32) + " --delta 20";
   expect_done(scan + " --paper -o paper.vtp");
-  expect_done(scan + " --sigma 0 --exterior infinite -o same.vtp");
+  expect_done(scan + " --sigma 0 --exterior infinite --snap off -o same.vtp");
   EXPECT_EQ(read_file(work / "paper.vtp"), read_file(work / "same.vtp"));
+}
+
+TEST_F(GoodRun, SnapMovesPointsUnlessThereIsNothingToPlaceThemBy)
+{
+  const auto snap = [&](const std::string &options) { return report(ball() + " --delta 2 " + options)["snap"]; };
+  const nlohmann::json placed = snap("");
+  ASSERT_FALSE(placed.is_null());
+  EXPECT_GT(placed["moved"], 100);
+  EXPECT_GT(placed["root_mean_square_mm"], 0);
+  EXPECT_LT(placed["root_mean_square_mm"], 1.5);
+  for (const std::string options : {"--snap off", "--smooth 0", "--paper"})
+    EXPECT_TRUE(snap(options).is_null()) << options;
+  EXPECT_TRUE(report(head(32) + " --edge-map --delta 10")["snap"].is_null());
 }
 
 TEST_F(GoodRun, EdgeMapOfTheGradientMagnitudeGivesTheSameSurface)
 {
   const std::string magnitude = input("magnitude.nrrd", float_nrrd(ball_gradient_magnitude()));
-  expect_done(ball() + " --delta 2 --sigma 0 -o scan.obj --labels scan.nrrd");
+  expect_done(ball() + " --delta 2 --sigma 0 --snap off -o scan.obj --labels scan.nrrd");
   expect_done(magnitude + " --delta 2 --edge-map -o map.obj --labels map.nrrd");
   const std::string surface = without_comments(read_file(work / "scan.obj"));
   EXPECT_FALSE(surface.empty());

@@ -57,7 +57,7 @@ TEST_F(SavedHierarchy, GivesTheSameResultsAsTheScanAtEveryDelta)
 
 TEST_F(SavedHierarchy, GivesTheSameResultsWithEveryOptionOfTheMerge)
 {
-  expect_cuts_as(head(32), "--paper", {"--delta 15", "--delta 20 --keep 1"});
+  expect_cuts_as(head(32), "--sigma 0 --exterior infinite", {"--delta 15", "--delta 20 --keep 1 --snap off"});
   expect_cuts_as(head(32), "--sigma 1.5 --exterior infinite", {"--delta 2"});
   expect_cuts_as(head(32), "--edge-map", {"--delta 10"});
 }

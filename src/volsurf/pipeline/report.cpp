@@ -47,6 +47,7 @@ Json options_json(const Report &report)
                {"keep", keep_text(settings.components.keep)},
                {"rank_by", rank_by_text(settings.components.rank_by)},
                {"smooth", settings.smoothing.strength},
+               {"snap", settings.snap},
                {"iterations", report.smoothing.iterations},
                {"passband", report.smoothing.pass_band},
                {"frame", frame_name(settings.frame)},
@@ -111,6 +112,16 @@ Json surfaces_json(const Report &report)
   return surfaces;
 }
 
+Json snap_json(const Report &report)
+{
+  if (!report.snap)
+    return nullptr;
+  return {{"moved", report.snap->moved},
+          {"followed", report.snap->followed},
+          {"rejected", report.snap->rejected},
+          {"root_mean_square_mm", report.snap->root_mean_square_mm}};
+}
+
 Json mesh_json(const Report &report)
 {
   const MeshCheck &mesh = report.mesh;
@@ -162,6 +173,7 @@ std::string to_json(const Report &report)
                   {"component_sizes", report.component_sizes},
                   {"surfaces", surfaces_json(report)},
                   {"mesh", mesh_json(report)},
+                  {"snap", snap_json(report)},
                   {"warnings", report.warnings},
                   {"seconds", seconds},
                   {"peak_memory_bytes", report.peak_memory_bytes}};

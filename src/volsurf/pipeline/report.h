@@ -5,6 +5,7 @@
 #include "volsurf/io/read_volume.h"
 #include "volsurf/pipeline/decide_delta.h"
 #include "volsurf/surface/check.h"
+#include "volsurf/surface/snap.h"
 
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ struct Report {
   std::vector<double> component_sizes; ///< of those kept, at most 20, by what they were ranked by
 
   SmoothingResult smoothing;
+  std::optional<SnapResult> snap; ///< of all surfaces together
   std::vector<SurfaceSummary> surfaces;
   MeshCheck mesh; ///< of all surfaces together
   std::vector<std::string> warnings;

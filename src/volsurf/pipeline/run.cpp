@@ -116,7 +116,7 @@ Report run(const Settings &requested, const Progress &progress, const std::funct
 
   const Selection selection = select_sides(settings, grid, merge, regions, report.background_region);
   const Provenance provenance{version_text(), source_name(merged), describe(settings, report.decision.delta)};
-  make_surfaces({grid, merge, regions, report.background_region}, settings, selection,
+  make_surfaces({merged.input.volume, field.sigma_mm(), merge, regions, report.background_region}, settings, selection,
                 {outputs, report, timer, progress, provenance});
   warn_of_missing_segments(selection, report);
   collect_warnings(report);

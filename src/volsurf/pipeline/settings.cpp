@@ -71,6 +71,7 @@ std::string describe(const Settings &settings, double delta)
   out << " --keep " << keep_text(settings.components.keep) << " --rank-by "
       << rank_by_text(settings.components.rank_by);
   out << " --smooth " << settings.smoothing.strength;
+  out << " --snap " << (settings.snap ? "on" : "off");
   if (settings.smoothing.iterations)
     out << " --iterations " << *settings.smoothing.iterations;
   if (settings.smoothing.pass_band)

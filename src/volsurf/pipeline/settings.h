@@ -41,6 +41,7 @@ struct Settings {
   double min_volume_mm3 = 0;                ///< >= 0; smaller regions (hull: islands) are not asked for
   ComponentOptions components;
   SmoothingOptions smoothing;
+  bool snap = true; ///< move points to the edge of the volume
 
   std::vector<std::filesystem::path> outputs; ///< by extension; may be empty where labels or a report are wanted
   Split split = Split::none;

@@ -69,6 +69,25 @@ void add_components(const Components &components, Report &report)
   sizes.resize(std::min(sizes.size(), kMostListed));
 }
 
+void add_finishing(const Finishing &finishing, Report &report)
+{
+  report.smoothing = finishing.smoothing;
+  if (!finishing.snap)
+    return;
+  const SnapResult &one = *finishing.snap;
+  SnapResult all = report.snap.value_or(SnapResult{});
+  const auto sum_of_squares = [](const SnapResult &result) {
+    return static_cast<double>(result.points) * result.root_mean_square_mm * result.root_mean_square_mm;
+  };
+  const double squares = sum_of_squares(all) + sum_of_squares(one);
+  all.points += one.points;
+  all.moved += one.moved;
+  all.followed += one.followed;
+  all.rejected += one.rejected;
+  all.root_mean_square_mm = all.points > 0 ? std::sqrt(squares / static_cast<double>(all.points)) : 0;
+  report.snap = all;
+}
+
 void summarise_surfaces(Report &report)
 {
   double volume_before_mm3 = 0;

@@ -1,6 +1,7 @@
 // What of the stages' results goes into the report.
 #pragma once
 
+#include "volsurf/pipeline/finishing.h"
 #include "volsurf/pipeline/report.h"
 #include "volsurf/surface/components.h"
 #include "volsurf/topology/region_merge.h"
@@ -11,6 +12,9 @@ void summarise_regions(const RegionMerge &merge, const Regions &regions, Report 
 
 /// Adds the components of one boundary to those of others.
 void add_components(const Components &components, Report &report);
+
+/// Adds what was done to one surface.
+void add_finishing(const Finishing &finishing, Report &report);
 
 /// From the surfaces, when all are there: the mesh of all together and how smoothing changed its volume.
 void summarise_surfaces(Report &report);

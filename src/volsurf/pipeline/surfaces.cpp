@@ -1,6 +1,7 @@
 #include "volsurf/pipeline/surfaces.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/pipeline/finishing.h"
 #include "volsurf/pipeline/summary.h"
 #include "volsurf/surface/cell_box.h"
 #include "volsurf/surface/extract.h"
@@ -25,7 +26,7 @@ struct Separation {
 class SurfaceMaker {
 public:
   SurfaceMaker(const CutVolume &volume, const Settings &settings, const SurfaceSink &sink)
-      : volume_(volume), settings_(settings), sink_(sink)
+      : volume_(volume), settings_(settings), sink_(sink), finisher_(volume.volume, volume.sigma_mm, settings)
   {
   }
 
@@ -56,7 +57,7 @@ public:
   void smooth(Mesh &mesh) const
   {
     report_progress(sink_.progress, "smooth", 0);
-    sink_.report.smoothing = smooth_mesh(mesh, volume_.grid, settings_.smoothing);
+    add_finishing(finisher_.finish(mesh), sink_.report);
     sink_.timer.lap("smooth");
   }
 
@@ -75,6 +76,7 @@ private:
   const CutVolume &volume_;
   const Settings &settings_;
   const SurfaceSink &sink_;
+  Finisher finisher_;
 };
 
 void make_whole(const SurfaceMaker &maker, const Separation &whole)
@@ -121,7 +123,7 @@ void make_regions(const SurfaceMaker &maker, const CutVolume &volume, const Sele
   Sides sides{volume.regions.of_basin, kNoRegion};
   for (std::size_t part = 0; part < numbers.size(); ++part) {
     const CellLabels cells = cells_in(boxes[part], volume.merge.cells);
-    const Grid grid = grid_in(boxes[part], volume.grid);
+    const Grid grid = grid_in(boxes[part], volume.volume.grid);
     set_sides(numbers[part], volume.regions, sides);
     const Separation separation{cells, grid, sides, true};
     Mesh mesh = maker.make_mesh(separation, maker.find_kept_faces(separation));
@@ -137,7 +139,7 @@ void make_surfaces(const CutVolume &volume, const Settings &settings, const Sele
                    const SurfaceSink &sink)
 {
   const SurfaceMaker maker(volume, settings, sink);
-  const Separation whole{volume.merge.cells, volume.grid, selection.sides, selection.one_thing};
+  const Separation whole{volume.merge.cells, volume.volume.grid, selection.sides, selection.one_thing};
   switch (settings.split) {
   case Split::none:
     make_whole(maker, whole);

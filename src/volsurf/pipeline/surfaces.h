@@ -10,7 +10,8 @@ namespace volsurf {
 
 /// A volume, merged and cut at one delta.
 struct CutVolume {
-  const Grid &grid;
+  const Volume &volume;
+  double sigma_mm; ///< of its gradient
   const RegionMerge &merge;
   const Regions &regions;
   RegionId background;

@@ -313,6 +313,7 @@ SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge)
   drop_outliers(mesh, stars, ways);
 
   SnapResult result;
+  result.points = static_cast<std::int64_t>(mesh.points.size());
   Moves moves = moves_along(ways);
   result.moved = moves.known_count();
   follow_neighbours(mesh, stars, free_axes, moves);

@@ -23,6 +23,7 @@ using FindEdge = std::function<std::optional<double>(const Vec3 &index, const Ve
 constexpr double kSnapLimitVoxels = 1.5;
 
 struct SnapResult {
+  std::int64_t points = 0;        ///< all of them
   std::int64_t moved = 0;         ///< points that went to their edge
   std::int64_t followed = 0;      ///< points that have none, or lie on a junction, and went with their neighbours
   std::int64_t rejected = 0;      ///< points that stayed, since a triangle would have turned over

@@ -1,0 +1,33 @@
+// From the staircase of faces to the surface: smoothing, sub-voxel placement, and a little smoothing after it.
+#pragma once
+
+#include "volsurf/field/edge_locator.h"
+#include "volsurf/pipeline/settings.h"
+#include "volsurf/surface/snap.h"
+
+namespace volsurf {
+
+/// What finishing did to a mesh.
+struct Finishing {
+  SmoothingResult smoothing;
+  std::optional<SnapResult> snap; ///< not set: the points were not placed
+};
+
+/// Finishes meshes of one volume.
+class Finisher {
+public:
+  /// Keeps references to `volume` and `settings`. Sub-voxel placement needs a smoothed mesh and a volume with
+  /// intensities on the two sides of a wall, so `--smooth 0` and `--edge-map` leave it out, as `--snap off` does.
+  /// Otherwise the volume is blurred here, which takes 4 bytes per sample.
+  Finisher(const Volume &volume, double sigma_mm, const Settings &settings);
+
+  /// Throws as smooth_mesh().
+  Finishing finish(Mesh &mesh) const;
+
+private:
+  const Grid &grid_;
+  const Settings &settings_;
+  std::optional<EdgeLocator> locator_;
+};
+
+} // namespace volsurf
