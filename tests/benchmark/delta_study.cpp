@@ -21,7 +21,7 @@ using namespace volsurf;
 using namespace volsurf::bench;
 
 constexpr double kLowestDelta = 0.002; ///< that is looked at, of the largest persistence
-constexpr int kSamples = 90;           ///< of the curve, evenly spaced in the logarithm of delta
+constexpr int kSamples = 400;          ///< of the curve, evenly spaced in the logarithm of delta
 constexpr double kSmallestPart = 5e-4; ///< of the cells: merges of less are not printed
 constexpr double kTolerance = 0.02;    ///< of Dice, within which a delta is as good as the best
 

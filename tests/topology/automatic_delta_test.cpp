@@ -121,6 +121,20 @@ TEST(FindDeltaCandidates, FollowTheUnitOfIntensity)
   }
 }
 
+TEST(FindDeltaCandidates, HoldTheNeighboursOfTheBestButNoHairBetweenTwoWalls)
+{
+  // A large organ, a small one that it outlasts, and two parts that are gone almost at once.
+  const auto candidates =
+      find_delta_candidates(hierarchy_of({{29, 120000}, {17, 12000}, {12, 90000}, {11.9F, 80000}, {9, 50000}}), 12, 5);
+  ASSERT_GE(candidates.size(), 2U);
+  EXPECT_EQ(candidates[0].low, 17);
+  EXPECT_EQ(candidates[0].high, 29);
+  EXPECT_EQ(candidates[1].low, 12);
+  EXPECT_EQ(candidates[1].high, 17);
+  for (const DeltaCandidate &candidate : candidates)
+    EXPECT_NE(candidate.high, 12) << "11.9 to 12";
+}
+
 TEST(FindDeltaCandidates, NoiseEndsTheGaps)
 {
   const auto candidates = find_delta_candidates(organ(), 20, 5); // its large regions merge below 14

@@ -75,17 +75,13 @@ std::vector<DeltaCandidate> measure_gaps(const std::vector<Merge> &merges, doubl
   return gaps;
 }
 
-/// Of neighbouring gaps only the widest, so that candidates differ.
-std::vector<DeltaCandidate> widest_among_neighbours(const std::vector<DeltaCandidate> &gaps)
+/// The widest gap, then the others in which delta can be rounded: what is narrower is a hair between two walls.
+std::vector<DeltaCandidate> widest_first(std::vector<DeltaCandidate> gaps)
 {
-  std::vector<DeltaCandidate> result;
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    const bool beats_stronger = i == 0 || gaps[i].width > gaps[i - 1].width;
-    const bool beats_weaker = i + 1 == gaps.size() || gaps[i].width >= gaps[i + 1].width;
-    if (beats_stronger && beats_weaker)
-      result.push_back(gaps[i]);
-  }
-  return result;
+  std::stable_sort(gaps.begin(), gaps.end(), [](const auto &a, const auto &b) { return a.width > b.width; });
+  const auto narrow = [](const DeltaCandidate &gap) { return !(gap.high > kRounding * gap.low); };
+  gaps.erase(std::remove_if(gaps.begin() + 1, gaps.end(), narrow), gaps.end());
+  return gaps;
 }
 
 double middle_of(const DeltaCandidate &gap)
@@ -131,9 +127,7 @@ std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, do
     return {};
 
   const double lowest = std::max(noise, strongest / kLargestRatio);
-  auto candidates = widest_among_neighbours(measure_gaps(merges, all_cells, part, strongest, lowest));
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto &a, const auto &b) { return a.width > b.width; });
+  auto candidates = widest_first(measure_gaps(merges, all_cells, part, strongest, lowest));
   candidates.resize(std::min(candidates.size(), most));
   for (DeltaCandidate &candidate : candidates) {
     candidate.delta = middle_of(candidate);

@@ -34,7 +34,8 @@ struct DeltaCandidate {
   std::size_t regions;
 };
 
-/// At most `most` candidates, by decreasing width, ties to the larger delta; none where the field is constant.
+/// At most `most` candidates, by decreasing width, ties to the larger delta; none where the field is constant. Gaps in
+/// which delta cannot be rounded, narrower than 5 %, are left out but for the widest of all.
 /// `noise_in_gradient` is NoiseLevel::gradient. O(basins log basins).
 std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, double noise_in_gradient,
                                                   std::size_t most);
