@@ -3,7 +3,7 @@
 
 In:  the build folder with the programs delta_study and volsurf-phantom, and the folder with the volumes that
      scripts/fetch_data.sh gets.
-Out: the document and its picture, and BUILD/automatic_delta.json with what delta_study printed of each case, which
+Out: the document and its picture, and BUILD/automatic_delta.json (or automatic_delta_quick.json) with what delta_study printed of each case, which
      --reuse takes in place of running it. Each case is a process of its own.
 """
 
@@ -549,7 +549,7 @@ def main(words):
     cases = [*cases_chosen_with(), *cases_checked_on(), *new_cases()]
     if arguments.quick:
         cases = [case for case in cases if case.name in QUICK]
-    kept = arguments.build / "automatic_delta.json"
+    kept = arguments.build / f"automatic_delta{'_quick' * arguments.quick}.json"
     if arguments.reuse:
         results = json.loads(kept.read_text(encoding="utf-8"))
     else:
