@@ -3,8 +3,8 @@
 
 In:  the build folder with the programs delta_study and volsurf-phantom, and the folder with the volumes that
      scripts/fetch_data.sh gets.
-Out: the document and its picture, and BUILD/automatic_delta.json (or automatic_delta_quick.json) with what delta_study printed of each case, which
-     --reuse takes in place of running it. Each case is a process of its own.
+Out: the document and its picture, and BUILD/automatic_delta.json (of --quick: automatic_delta_quick.json) with what
+     delta_study printed of each case, which --reuse takes in place of running it. Each case is a process of its own.
 """
 
 import argparse
@@ -140,13 +140,14 @@ QUICK = (
 # What a look at each failure showed. A failure that is not here says so in the document.
 WHY = {
     "ch2, white matter, impulse 2 %": (
-        "The gap is the right one, 0.90 to 1.55, but it is no plateau for this task: Dice rises through it from 0.77 to "
-        "0.82, as small parts join, and its middle is 0.03 short of the best. With seed 5 of the noise it is 0.006."
+        "The gap is the right one, 0.90 to 1.55, but it is no plateau for this task: Dice rises through it from 0.77 "
+        "to 0.82, as small parts join, and its middle is 0.03 short of the best. With seed 5 of the noise it is "
+        "0.006."
     ),
     "ch2, head, gaussian 10 %": (
-        "The third panel of the picture. The head stays whole up to 4.51. Two parts of 1 % and more stay longer, up to "
-        "6.40 and 6.54, and below the noise has filled the scan with texture, so the widest gap that is left lies above "
-        "the head."
+        "The third panel of the picture. The head stays whole up to 4.51. Two parts of 1 % and more stay longer, up "
+        "to 6.40 and 6.54, and below the noise has filled the scan with texture, so the widest gap that is left lies "
+        "above the head."
     ),
     "ch2, head, impulse 20 %": (
         "Impulses are not the noise that the rule knows. Where they are so many, merges of large parts are dense from "
@@ -154,20 +155,20 @@ WHY = {
         "widest gap is one in the noise, below all that."
     ),
     "ch2, white matter, no noise added, sigma 2 mm": (
-        "Nested answers: at the chosen delta the hull is the head, as it should be, and the region at the seed is a part "
-        "of the white matter. The gradient at 2 mm weakens the wall of the white matter (1.2) to less than those of "
-        "other parts, and the range in which it is whole, 0.904 to 1.2, is full of merges: there is no wide gap."
+        "Nested answers: at the chosen delta the hull is the head, as it should be, and the region at the seed is a "
+        "part of the white matter. The gradient at 2 mm weakens the wall of the white matter (1.2) to less than those "
+        "of other parts, and the range in which it is whole, 0.904 to 1.2, is full of merges: there is no wide gap."
     ),
     "cranium, skull, no noise added": (
-        "A wall with holes: where bone is thinner than the Gaussian it has no wall of its own. The region at the seed is "
-        "much of the skull, Dice 0.71 at most, in a narrow range of deltas only (62 to 66). At the chosen delta the hull "
-        "is the head, as it should be, and the skull is cut into pieces."
+        "A wall with holes: where bone is thinner than the Gaussian it has no wall of its own. The region at the seed "
+        "is much of the skull, Dice 0.71 at most, in a narrow range of deltas only (62 to 66). At the chosen delta "
+        "the hull is the head, as it should be, and the skull is cut into pieces."
     ),
     "cranium, skull, no noise added, sigma 1.5 mm": "As above; the range is 43 to 45.",
     "liver, all organs, gaussian 30 %": (
-        "A small organ: the kidney, 1.2 % of the scan beside the liver's 12.4 %, is a region up to 18.9 only. For three "
-        "of the five sizes it counts as large, for two it does not, and the liver's gap reaches from there to its own "
-        "wall. Dice 0.94 is the liver alone."
+        "A small organ: the kidney, 1.2 % of the scan beside the liver's 12.4 %, is a region up to 18.9 only. For "
+        "three of the five sizes it counts as large, for two it does not, and the liver's gap reaches from there to "
+        "its own wall. Dice 0.94 is the liver alone."
     ),
     "liver, all organs, impulse 20 %": "The kidney again, which is a region up to 14.7 only.",
 }
