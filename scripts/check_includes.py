@@ -13,14 +13,15 @@ INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 SOURCE_ENDINGS = {".h", ".hpp", ".cpp", ".cc"}
 
 BELOW_STAGES = {"core", "interop"}
-STAGES = {"io", "field", "topology", "surface", "phantom"}
+STAGES = {"io", "field", "topology", "surface", "phantom", "plot"}
 # What the files of each folder may include from other folders of src/volsurf.
 ALLOWED_FOLDERS = {
     "core": set(),
     "interop": {"core"},
     **{stage: BELOW_STAGES for stage in STAGES},
     "pipeline": BELOW_STAGES | STAGES,
-    "apps": BELOW_STAGES | STAGES | {"pipeline"},
+    "views": BELOW_STAGES | STAGES | {"pipeline"},
+    "apps": BELOW_STAGES | STAGES | {"pipeline", "views"},
 }
 # The files that make volsurf_core, which a ParaView plugin uses beside another VTK: they need nothing but core.
 CORE_LIBRARY = re.compile(r"(core|field|topology|phantom)/|surface/(?!smoothing)")
@@ -29,6 +30,7 @@ LIBRARIES = (
     ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"io/"), "io"),
     ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io)/|surface/smoothing"), "interop, io, surface/smoothing"),
     ("OpenVDB", re.compile(r"openvdb/"), re.compile(r"interop/"), "interop"),
+    ("cairo", re.compile(r"cairo[\w-]*\.h"), re.compile(r"plot/"), "plot"),
     ("CLI11", re.compile(r"CLI/"), re.compile(r"apps/"), "apps"),
     ("TBB", re.compile(r"(oneapi/)?tbb/"), re.compile(r"core/parallel"), "core/parallel"),
 )

@@ -11,6 +11,7 @@ build_packages=(
   libvtk9-dev libinsighttoolkit5-dev libopenvdb-dev libboost-iostreams-dev libimath-dev
   libvtkgdcm-tools libgdcm-tools # GDCM's CMake targets name their programs
   libtbb-dev libcli11-dev nlohmann-json3-dev libssl-dev zlib1g-dev
+  libcairo2-dev pkgconf fonts-dejavu-core # charts, and the letters in them
 )
 test_packages=(
   libgtest-dev librapidcheck-dev libgudhi-dev libboost-dev libbenchmark-dev

@@ -1,10 +1,9 @@
 #include "command_line.h"
 
+#include "shared_options.h"
+
 #include "volsurf/core/error.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -14,16 +13,13 @@ namespace volsurf {
 namespace {
 
 /// What CLI11 fills in; the rest goes straight into Settings. An empty text is an option that was not given.
-struct Texts {
+struct Texts : SharedTexts {
   std::string delta;
   std::optional<std::int64_t> regions;
   std::string keep;
   std::vector<std::string> seeds;
   std::vector<std::string> region_numbers;
   std::string report;
-  bool paper = false;
-  bool quiet = false;
-  bool verbose = false;
 };
 
 Vec3 parse_seed(const std::string &text)
@@ -63,40 +59,6 @@ std::filesystem::path default_output(const std::filesystem::path &input)
   return name.replace_extension(".vtp");
 }
 
-/// An option whose values are documented words.
-template <typename Value, typename Target>
-CLI::Option *add_word_option(CLI::App &app, const std::string &name, Target &value,
-                             const std::vector<std::pair<std::string, Value>> &words, const std::string &description)
-{
-  const auto parse = [name, &value, words](const std::string &text) {
-    const auto found = std::find_if(words.begin(), words.end(), [&](const auto &word) { return word.first == text; });
-    if (found != words.end()) {
-      value = found->second;
-      return;
-    }
-    std::string allowed;
-    for (const auto &word : words)
-      allowed += (allowed.empty() ? "" : ", ") + word.first;
-    throw UsageError(name + ": found \"" + text + "\"; allowed are " + allowed);
-  };
-  return app.add_option_function<std::string>(name, parse, description);
-}
-
-void add_field_options(CLI::App &app, Settings &settings, Texts &texts)
-{
-  app.add_option("--sigma", settings.field.sigma_mm,
-                 "Gaussian for the gradient in mm; 0: central differences [one voxel: the smallest spacing]")
-      ->group("Field");
-  app.add_flag("--edge-map", settings.field.edge_map,
-               "The input is an edge strength already (a gradient magnitude, a network's boundary map)")
-      ->group("Field")
-      ->excludes("--sigma");
-  app.add_flag("--paper", texts.paper, "Exactly the paper: --sigma 0 --exterior infinite --snap off")
-      ->group("Field")
-      ->excludes("--sigma")
-      ->excludes("--edge-map");
-}
-
 void add_topology_options(CLI::App &app, Settings &settings, Texts &texts)
 {
   CLI::Option *const delta =
@@ -107,11 +69,7 @@ void add_topology_options(CLI::App &app, Settings &settings, Texts &texts)
       ->group("Topology")
       ->check(CLI::Range(std::int64_t{2}, std::int64_t{1} << 31))
       ->excludes(delta);
-  add_word_option<Exterior>(app, "--exterior", settings.exterior,
-                            {{"none", Exterior::none}, {"infinite", Exterior::infinite}},
-                            "What lies behind the border: none or infinite [none]")
-      ->group("Topology")
-      ->excludes("--paper");
+  add_exterior_option(app, settings);
 }
 
 void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
@@ -172,34 +130,13 @@ void add_output_options(CLI::App &app, Settings &settings, Texts &texts)
   app.add_option("--report", texts.report, "Write a report as JSON; - for standard output")->group("Output");
 }
 
-void add_general_options(CLI::App &app, Settings &settings, Texts &texts)
+void add_config_option(CLI::App &app)
 {
-  app.add_option("--series", settings.series_uid, "UID of the DICOM series to read, where a folder holds several")
-      ->group("General");
-  app.add_option("--threads", settings.threads, "Threads; 0: all [0]")->group("General")->check(CLI::Range(0, 1024));
-  app.add_option("--max-memory", settings.max_memory_bytes,
-                 "Refuse a scan that would need more, as 8G [what is available]")
-      ->transform(CLI::AsSizeValue(false))
-      ->group("General");
-  app.add_flag("-q,--quiet", texts.quiet, "Print errors only")->group("General");
-  app.add_flag("-v,--verbose", texts.verbose, "Print what each stage found and took")->group("General")->excludes("-q");
-  app.set_version_flag("--version", version_text())->group("General");
   app.set_config("--config", "", "Read options from a file of lines such as delta = 20; the command line wins")
       ->group("General");
   app.allow_config_extras(false);
   // Values hold commas (seed = 0,0,0) and blanks (output = my scan.vtp); what repeats is a line of its own.
   app.get_config_formatter_base()->arrayDelimiter(';');
-}
-
-/// CLI11 takes an empty text for no value where an option has a default.
-void refuse_empty_values(CLI::App &app)
-{
-  const auto check = [](const std::string &text) {
-    return text.empty() ? std::string("found \"\"; allowed are values of one or more characters") : std::string();
-  };
-  for (CLI::Option *option : app.get_options())
-    if (option->get_items_expected_max() > 0)
-      option->check(check, "");
 }
 
 void finish(const Texts &texts, CommandLine &line)
@@ -215,30 +152,13 @@ void finish(const Texts &texts, CommandLine &line)
     settings.seeds_mm.push_back(parse_seed(seed));
   for (const std::string &region : texts.region_numbers)
     settings.region_numbers.push_back(parse_region(region));
-  if (texts.paper) {
-    settings.field.sigma_mm = 0;
-    settings.exterior = Exterior::infinite;
-    settings.snap = false;
-  }
+  finish_shared(texts, settings);
   line.report_to_stdout = texts.report == "-";
   if (!texts.report.empty() && !line.report_to_stdout)
     settings.report = texts.report;
   if (settings.outputs.empty())
     settings.outputs.push_back(default_output(settings.input));
-  line.verbosity = texts.quiet ? Verbosity::quiet : texts.verbose ? Verbosity::verbose : Verbosity::normal;
-}
-
-EarlyExit early_exit_of(const CLI::App &app, const CLI::ParseError &error)
-{
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = app.exit(error, out, err);
-  if (code == 0)
-    return {0, out.str()};
-  if (dynamic_cast<const CLI::ConfigError *>(&error) != nullptr)
-    return {2, "--config " + app.get_config_ptr()->as<std::string>() +
-                   ": a line is not one of the options (see volsurf --help): " + error.what()};
-  return {2, std::string(error.what()) + " (see volsurf --help)"};
+  line.verbosity = verbosity_of(texts);
 }
 
 } // namespace
@@ -252,6 +172,7 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
                "stays above delta even at their weakest point.\n\n"
                "Inputs: NRRD, NHDR, MHA, MHD, NIfTI, a DICOM folder, a file of --save-hierarchy. World coordinates are "
                "millimetres.\n"
+               "volsurf explore INPUT shows what each delta would give (see volsurf explore --help).\n"
                "Exit codes: 0 done, 1 unexpected, 2 usage, 3 input, 4 nothing to write, 5 output, 130 interrupted.",
                "volsurf");
   app.add_option("INPUT", settings.input, "The scan")->required();
@@ -261,6 +182,7 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
   add_finishing_options(app, settings);
   add_output_options(app, settings, texts);
   add_general_options(app, settings, texts);
+  add_config_option(app);
   refuse_empty_values(app);
   try {
     app.parse(argc, argv);

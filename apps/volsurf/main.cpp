@@ -1,6 +1,9 @@
 // volsurf: from a scan to its surfaces.
 
 #include "command_line.h"
+#include "explore_command.h"
+#include "explore_command_line.h"
+#include "messages.h"
 #include "progress_bar.h"
 
 #include "volsurf/pipeline/merged_volume.h"
@@ -12,6 +15,9 @@
 #include <iostream>
 
 namespace {
+
+using volsurf::one_line;
+using volsurf::print;
 
 std::atomic<bool> interrupted{false};
 
@@ -29,25 +35,10 @@ void catch_interrupts()
   std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing, like a full disk
 }
 
-/// File names may hold line breaks, a message has none.
-std::string one_line(std::string text)
-{
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
 int fail(int code, const std::string &message)
 {
   std::cerr << "volsurf: " << one_line(message) << '\n';
   return code;
-}
-
-void print(const std::string &text)
-{
-  std::cout << text << std::flush;
-  if (!std::cout)
-    throw volsurf::OutputError("standard output: cannot be written to (closed, or on a full disk)");
 }
 
 /// A line for each format.
@@ -148,19 +139,36 @@ int run_command(const volsurf::CommandLine &line)
   return 0;
 }
 
+int exit_early(const volsurf::EarlyExit &early_exit)
+{
+  if (early_exit.code != 0)
+    return fail(early_exit.code, early_exit.text);
+  print(early_exit.text);
+  return 0;
+}
+
+int extract_surfaces(int argc, const char *const *argv)
+{
+  const auto parsed = volsurf::parse_command_line(argc, argv);
+  return parsed.early_exit ? exit_early(*parsed.early_exit) : run_command(parsed.command_line);
+}
+
+int explore_scan(int argc, const char *const *argv)
+{
+  const auto parsed = volsurf::parse_explore_command_line(argc, argv);
+  return parsed.early_exit ? exit_early(*parsed.early_exit)
+                           : volsurf::run_explore_command(parsed.command_line, interrupted);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
   catch_interrupts();
   try {
-    const auto parsed = volsurf::parse_command_line(argc, argv);
-    if (!parsed.early_exit)
-      return run_command(parsed.command_line);
-    if (parsed.early_exit->code != 0)
-      return fail(parsed.early_exit->code, parsed.early_exit->text);
-    print(parsed.early_exit->text);
-    return 0;
+    if (volsurf::is_explore_command(argc, argv))
+      return explore_scan(argc - 1, argv + 1);
+    return extract_surfaces(argc, argv);
   } catch (const volsurf::UsageError &error) {
     return fail(2, error.what());
   } catch (const volsurf::InputError &error) {

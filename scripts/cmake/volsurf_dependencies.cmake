@@ -5,6 +5,8 @@ find_package(TBB REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-png cairo-svg)
 find_package(
   VTK 9.1 REQUIRED
   COMPONENTS CommonCore CommonDataModel FiltersCore IOGeometry IOPLY IOXML)

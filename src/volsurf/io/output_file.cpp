@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -135,6 +136,14 @@ void require_extension(const fs::path &path, const std::string &extension)
   if (found != extension)
     throw UsageError(path.string() + ": found " + (found.empty() ? "no extension" : "the extension " + found) +
                      "; allowed: " + extension);
+}
+
+void write_bytes(const std::string &bytes, const fs::path &path)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << bytes << std::flush;
+  if (!file)
+    throw OutputError(path.string() + ": it could not be written; is the disk full?");
 }
 
 } // namespace volsurf

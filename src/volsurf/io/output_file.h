@@ -43,4 +43,7 @@ private:
 /// Throws UsageError unless a file's name has this extension, the one of its format.
 void require_extension(const std::filesystem::path &path, const std::string &extension);
 
+/// Writes a whole file. Throws OutputError.
+void write_bytes(const std::string &bytes, const std::filesystem::path &path);
+
 } // namespace volsurf

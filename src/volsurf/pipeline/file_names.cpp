@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -63,6 +64,11 @@ void require_distinct_files(const Settings &settings, std::vector<fs::path> file
     if (file)
       files.push_back(*file);
   files.push_back(settings.input);
+  require_distinct_files(std::move(files));
+}
+
+void require_distinct_files(std::vector<fs::path> files)
+{
   for (fs::path &file : files)
     file = place_of(file);
   std::sort(files.begin(), files.end());

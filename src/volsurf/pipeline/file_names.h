@@ -26,4 +26,7 @@ std::filesystem::path part_file(const std::filesystem::path &output, Split split
 /// spelling and the links.
 void require_distinct_files(const Settings &settings, std::vector<std::filesystem::path> outputs);
 
+/// The same for any files.
+void require_distinct_files(std::vector<std::filesystem::path> files);
+
 } // namespace volsurf

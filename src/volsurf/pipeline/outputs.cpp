@@ -9,7 +9,6 @@
 #include "volsurf/pipeline/stored_merge.h"
 
 #include <algorithm>
-#include <fstream>
 
 namespace volsurf {
 
@@ -23,14 +22,6 @@ LabelVolume region_labels(const Results &results)
   std::transform(basins.begin(), basins.end(), labels.labels.begin(),
                  [&](BasinId basin) { return results.regions.of_basin[basin]; });
   return labels;
-}
-
-void write_text(const std::string &text, const std::filesystem::path &path)
-{
-  std::ofstream file(path, std::ios::binary);
-  file << text << std::flush;
-  if (!file)
-    throw OutputError(path.string() + ": it could not be written; is the disk full?");
 }
 
 void refuse_many_files(const Settings &settings, std::size_t files)
@@ -117,7 +108,7 @@ void Outputs::write_volumes(const Results &results, const Provenance &provenance
 void Outputs::write_report(const Report &report)
 {
   if (report_)
-    report_->write([&](const std::filesystem::path &path) { write_text(to_json(report), path); });
+    report_->write([&](const std::filesystem::path &path) { write_bytes(to_json(report), path); });
 }
 
 void Outputs::commit()

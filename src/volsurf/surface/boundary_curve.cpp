@@ -228,6 +228,14 @@ void join_seam(const FaceSet &faces, std::int64_t z, const std::vector<PatchId> 
 PatchGraph join_slabs(const FaceSet &faces, std::vector<SlabPatches> slabs)
 {
   PatchGraph graph;
+  std::size_t patches = 0;
+  std::size_t junctions = 0;
+  for (const SlabPatches &slab : slabs) {
+    patches += slab.patches.size();
+    junctions += slab.junctions.size();
+  }
+  graph.patches.reserve(patches);
+  graph.junctions.reserve(junctions);
   for (SlabPatches &slab : slabs) {
     const auto offset = static_cast<PatchId>(graph.patches.size());
     graph.patches.insert(graph.patches.end(), slab.patches.begin(), slab.patches.end());

@@ -45,8 +45,8 @@ struct BoundaryCurve {
 };
 
 /// `grid` is that of the samples. Parallel; O(cells + faces between basins * ancestors). Memory: 0.6 bytes per sample,
-/// 8 per face between basins in the slabs that are at work, and 28 per patch, of which there are about as many as pairs
-/// of neighbouring basins. Throws Cancelled.
+/// 8 per face between basins in the slabs that are at work, and about 60 per patch, of which there are about as many as
+/// pairs of neighbouring basins. Throws Cancelled.
 BoundaryCurve find_boundary_curve(const CellLabels &cells, const Grid &grid, const BasinRanks &ranks,
                                   const Progress &progress = {});
 
