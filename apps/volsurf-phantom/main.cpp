@@ -1,9 +1,14 @@
-// volsurf-phantom: writes a synthetic T1-weighted head and its truth, or a given scan with noise added, as NRRD.
+// volsurf-phantom: writes a synthetic T1-weighted head, or a single body, with its truth as labels and as a surface; or
+// a given scan with noise added.
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/gaussian_blur.h"
+#include "volsurf/interop/zero_surface.h"
 #include "volsurf/io/output_file.h"
 #include "volsurf/io/read_volume.h"
+#include "volsurf/io/write_mesh.h"
 #include "volsurf/io/write_volume.h"
+#include "volsurf/phantom/body_phantom.h"
 #include "volsurf/phantom/noise.h"
 #include "volsurf/phantom/phantom.h"
 
@@ -49,13 +54,16 @@ struct Arguments {
   std::vector<std::int64_t> size{128};
   std::vector<double> spacing_mm;
   std::string noise = "none";
-  double bias = PhantomOptions().bias;
+  std::string shape = "head";
+  std::optional<double> bias;
+  double blur_mm = 0;
   std::int64_t anatomy = static_cast<std::int64_t>(PhantomOptions().anatomy);
   std::int64_t seed = static_cast<std::int64_t>(NoiseOptions().seed);
   std::string type;
   std::string scan;
   std::string output;
   std::string truth;
+  std::string truth_surface;
   int threads = 0;
 };
 
@@ -64,29 +72,40 @@ void add_options(CLI::App &app, Arguments &arguments)
   app.add_option("-o,--output", arguments.output, "The scan, .nrrd")->required();
   app.add_option("--truth", arguments.truth,
                  "The tissue of each sample, .nrrd: 0 air, 1 scalp, 2 skull, 3 cerebrospinal fluid, 4 grey matter, "
-                 "5 white matter, 6 ventricle, 7 muscle");
+                 "5 white matter, 6 ventricle, 7 muscle; of other shapes 1 inside");
+  app.add_option("--truth-surface", arguments.truth_surface,
+                 "The true surface, .vtp: of the head its brain (4, 5 and 6); closed where the scan's border cuts it");
+  app.add_option("--shape", arguments.shape,
+                 "head; or a single body of intensity 200 on 100, each sample the mean over its voxel: sphere, torus, "
+                 "blobs (two balls that touch), shell (hollow, 3 voxels thick) or cortex (the head's brain) (head)");
   auto *const scan =
       app.add_option("--scan", arguments.scan, "Add the noise to this scan, of any format that volsurf reads, instead");
   app.add_option("--size", arguments.size, "Samples per axis: N or X,Y,Z (128)")->delimiter(',')->expected(1, 3);
   app.add_option("--spacing", arguments.spacing_mm,
-                 "Millimetres between samples: S or X,Y,Z (so that the head, 204.8 mm, fits)")
+                 "Millimetres between samples: S or X,Y,Z (so that the head, 204.8 mm, fits; shapes other than head "
+                 "and cortex 1)")
       ->delimiter(',')
       ->expected(1, 3);
-  app.add_option("--noise", arguments.noise,
-                 "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
-                 "rician:5% (standard deviation, in percent of brightest minus darkest tissue, 1030, or of the range "
-                 "of --scan; without % in intensity) (none)");
-  app.add_option("--bias", arguments.bias, "Bias field: a factor of 1 - B/2 to 1 + B/2, B in 0 .. 1")
-      ->capture_default_str();
+  app.add_option(
+      "--noise", arguments.noise,
+      "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
+      "rician:5% (standard deviation, in percent of the contrast: of brightest minus darkest tissue, 1030, of a "
+      "body on its surroundings, 100, or of the range of --scan; without % in intensity) (none)");
+  app.add_option("--bias", arguments.bias,
+                 "Bias field: a factor of 1 - B/2 to 1 + B/2, B in 0 .. 1 (0.2; shapes other than head 0)");
+  app.add_option("--blur", arguments.blur_mm,
+                 "Blur the scan by a Gaussian of this many mm, after the noise, as volsurf's gradient does (0)")
+      ->needs(scan);
   app.add_option("--seed", arguments.seed, "Seed of the noise")->capture_default_str();
   app.add_option("--anatomy", arguments.anatomy, "Seed of the folds and of the bias field")->capture_default_str();
   app.add_option("--type", arguments.type,
-                 "uint16 (12 bits: 0 .. 4095), uint8 (scaled: 255 is intensity 1600) or float (uint16; with --scan "
-                 "always float)");
+                 "uint16 (12 bits: 0 .. 4095), uint8 (scaled: 255 is intensity 1600) or float (uint16; shapes other "
+                 "than head float; with --scan always float)");
   app.add_option("--threads", arguments.threads, "Threads; 0: all. They do not change the result")
       ->capture_default_str();
   app.set_version_flag("--version", "volsurf-phantom " VOLSURF_VERSION);
-  for (const char *const option : {"--size", "--spacing", "--bias", "--anatomy", "--truth", "--type"})
+  for (const char *const option :
+       {"--size", "--spacing", "--bias", "--anatomy", "--truth", "--truth-surface", "--type", "--shape"})
     scan->excludes(app.get_option(option));
 }
 
@@ -112,10 +131,8 @@ void fit_to_type(Volume &volume, PixelType type)
 
 PixelType parse_type(const std::string &name)
 {
-  const std::map<std::string, PixelType> types{{"", PixelType::uint16},
-                                               {"uint8", PixelType::uint8},
-                                               {"uint16", PixelType::uint16},
-                                               {"float", PixelType::float32}};
+  const std::map<std::string, PixelType> types{
+      {"uint8", PixelType::uint8}, {"uint16", PixelType::uint16}, {"float", PixelType::float32}};
   const auto found = types.find(name);
   if (found == types.end())
     throw UsageError("--type: \"" + name + "\" is not uint16, uint8 or float");
@@ -132,35 +149,59 @@ std::uint64_t not_negative(std::int64_t number, const std::string &option)
 void check_outputs(const Arguments &arguments)
 {
   require_nrrd_extension(arguments.output);
-  if (arguments.truth.empty())
-    return;
-  require_nrrd_extension(arguments.truth);
+  if (!arguments.truth.empty())
+    require_nrrd_extension(arguments.truth);
+  if (!arguments.truth_surface.empty())
+    require_extension(arguments.truth_surface, ".vtp");
   if (arguments.truth == arguments.output)
     throw UsageError("--truth: " + arguments.truth + " is the file of --output too");
 }
 
-PhantomOptions phantom_options(const Arguments &arguments)
-{
+/// What the options ask for, with the defaults that depend on the shape.
+struct Job {
+  std::optional<BodyKind> body; ///< nothing: the head
   PhantomOptions options;
+  NoiseOptions noise;
+  PixelType type;
+  std::string type_name;
+};
+
+Vec3 default_spacing(const Job &job)
+{
+  if (job.body && job.body != BodyKind::kCortex)
+    return {1, 1, 1};
+  return spacing_that_fits_the_head(job.options.size);
+}
+
+Job make_job(const Arguments &arguments)
+{
+  Job job;
+  job.body = parse_body(arguments.shape);
+  PhantomOptions &options = job.options;
   options.size = per_axis(arguments.size, "--size");
-  options.spacing_mm = arguments.spacing_mm.empty() ? spacing_that_fits_the_head(options.size)
-                                                    : per_axis(arguments.spacing_mm, "--spacing");
-  options.bias = arguments.bias;
+  options.spacing_mm =
+      arguments.spacing_mm.empty() ? default_spacing(job) : per_axis(arguments.spacing_mm, "--spacing");
+  options.bias = arguments.bias.value_or(job.body ? 0 : PhantomOptions().bias);
   options.anatomy = not_negative(arguments.anatomy, "--anatomy");
   options.with_truth = !arguments.truth.empty();
-  return options;
+  job.noise = parse_noise(arguments.noise, job.body ? kBodySignal - kBodySurroundings : kTissueContrast);
+  job.noise.seed = not_negative(arguments.seed, "--seed");
+  job.type_name = !arguments.type.empty() ? arguments.type : job.body ? "float" : "uint16";
+  job.type = parse_type(job.type_name);
+  return job;
 }
 
 /// What made the volume, without what does not change it: threads and file names.
-std::string options_as_used(const Arguments &arguments, const PhantomOptions &phantom)
+std::string options_as_used(const Arguments &arguments, const Job &job)
 {
   std::ostringstream text;
-  const Index3 &size = phantom.size;
-  const Vec3 &spacing = phantom.spacing_mm;
+  const Index3 &size = job.options.size;
+  const Vec3 &spacing = job.options.spacing_mm;
+  if (job.body)
+    text << "--shape " << arguments.shape << ' ';
   text << "--size " << size[0] << ',' << size[1] << ',' << size[2] << " --spacing " << spacing[0] << ',' << spacing[1]
-       << ',' << spacing[2] << " --noise " << arguments.noise << " --bias " << arguments.bias << " --seed "
-       << arguments.seed << " --anatomy " << arguments.anatomy << " --type "
-       << (arguments.type.empty() ? "uint16" : arguments.type);
+       << ',' << spacing[2] << " --noise " << arguments.noise << " --bias " << job.options.bias << " --seed "
+       << arguments.seed << " --anatomy " << arguments.anatomy << " --type " << job.type_name;
   return text.str();
 }
 
@@ -187,42 +228,68 @@ void run_on_scan(const Arguments &arguments)
   NoiseOptions noise = parse_noise(arguments.noise, static_cast<double>(*high) - *low);
   noise.seed = not_negative(arguments.seed, "--seed");
   add_noise(input.volume, noise);
+  std::string options = "--noise " + arguments.noise + " --seed " + std::to_string(arguments.seed);
+  if (arguments.blur_mm != 0) {
+    input.volume.samples = gaussian_blur(input.volume, arguments.blur_mm);
+    options += " --blur " + CLI::detail::to_string(arguments.blur_mm);
+  }
   const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION,
-                              std::filesystem::path(arguments.scan).filename().string(),
-                              "--noise " + arguments.noise + " --seed " + std::to_string(arguments.seed)};
+                              std::filesystem::path(arguments.scan).filename().string(), options};
   write_to(output, [&](const auto &file) { write_volume(input.volume, PixelType::float32, file, provenance); });
   output.commit();
+}
+
+/// The files of a phantom begin before the work: what cannot be written must not cost the time to make it.
+struct Outputs {
+  PendingOutput scan;
+  std::optional<PendingOutput> truth;
+  std::optional<PendingOutput> truth_surface;
+};
+
+Outputs begin_outputs(const Arguments &arguments)
+{
+  check_outputs(arguments);
+  Outputs outputs{PendingOutput(arguments.output), {}, {}};
+  if (!arguments.truth.empty())
+    outputs.truth.emplace(arguments.truth);
+  if (!arguments.truth_surface.empty())
+    outputs.truth_surface.emplace(arguments.truth_surface);
+  return outputs;
+}
+
+void write_truth_surface(const Job &job, const Grid &grid, const PendingOutput &output, const Provenance &provenance)
+{
+  const BodyKind body = job.body.value_or(BodyKind::kCortex);
+  const Volume distances =
+      sample_distance(body_distance(body, grid, job.options.anatomy), grid, refinement_for(body, grid), carry_on);
+  const Mesh surface = zero_surface(distances);
+  write_to(output, [&](const auto &file) { write_mesh(surface, OutputKind::vtp, file, provenance, Frame::lps); });
 }
 
 void run(const Arguments &arguments)
 {
   if (!arguments.scan.empty())
     return run_on_scan(arguments);
-  const PhantomOptions options = phantom_options(arguments);
-  NoiseOptions noise = parse_noise(arguments.noise, kTissueContrast);
-  noise.seed = not_negative(arguments.seed, "--seed");
-  const PixelType type = parse_type(arguments.type);
+  const Job job = make_job(arguments);
   const auto threads = not_negative(arguments.threads, "--threads");
-  check_outputs(arguments);
-
-  // Both files begin here: what cannot be written must not cost the time to make it.
-  PendingOutput scan(arguments.output);
-  std::optional<PendingOutput> truth;
-  if (!arguments.truth.empty())
-    truth.emplace(arguments.truth);
-
-  const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION, "none", options_as_used(arguments, options)};
+  Outputs outputs = begin_outputs(arguments);
+  const Provenance provenance{"volsurf-phantom " VOLSURF_VERSION, "none", options_as_used(arguments, job)};
   const ThreadLimit limit(static_cast<int>(threads));
-  Phantom phantom = make_head_phantom(options, carry_on);
-  if (truth)
-    write_to(*truth, [&](const auto &file) { write_labels(phantom.truth, file, provenance); });
+  Phantom phantom =
+      job.body ? make_body_phantom(*job.body, job.options, carry_on) : make_head_phantom(job.options, carry_on);
+  if (outputs.truth)
+    write_to(*outputs.truth, [&](const auto &file) { write_labels(phantom.truth, file, provenance); });
   phantom.truth.labels = {}; // a large volume's memory is better spent on writing it
-  add_noise(phantom.volume, noise);
-  fit_to_type(phantom.volume, type);
-  write_to(scan, [&](const auto &file) { write_volume(phantom.volume, type, file, provenance); });
-  if (truth)
-    truth->commit();
-  scan.commit();
+  if (outputs.truth_surface)
+    write_truth_surface(job, phantom.volume.grid, *outputs.truth_surface, provenance);
+  add_noise(phantom.volume, job.noise);
+  fit_to_type(phantom.volume, job.type);
+  write_to(outputs.scan, [&](const auto &file) { write_volume(phantom.volume, job.type, file, provenance); });
+  if (outputs.truth)
+    outputs.truth->commit();
+  if (outputs.truth_surface)
+    outputs.truth_surface->commit();
+  outputs.scan.commit();
 }
 
 int fail(const std::exception &error, ExitCode code)
@@ -235,7 +302,8 @@ int fail(const std::exception &error, ExitCode code)
 
 int main(int argc, char **argv)
 {
-  CLI::App app("Makes a head phantom: a T1-weighted scan of known anatomy, with noise by choice.", "volsurf-phantom");
+  CLI::App app("Makes phantoms: scans of known anatomy or shape, with noise by choice, and their truth.",
+               "volsurf-phantom");
   Arguments arguments;
   add_options(app, arguments);
   catch_signals();

@@ -81,6 +81,39 @@ TEST(PhantomProgram, a_scan_gets_the_noise_that_the_same_phantom_would_get)
   EXPECT_NE(data_of(read_file(folder / "added.nrrd")), data_of(read_file(folder / "clean.nrrd")));
 }
 
+TEST(PhantomProgram, writes_each_shape_with_its_truth_as_labels_and_as_a_surface)
+{
+  for (const std::string shape : {"head", "sphere", "torus", "blobs", "shell", "cortex"}) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_phantom(
+        folder, "--shape " + shape + " --size 20 --spacing 3 -o a.nrrd --truth b.nrrd --truth-surface c.vtp");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_NE(read_file(folder / "c.vtp").find("PolyData"), std::string::npos);
+    EXPECT_EQ(file_count(folder.path()), 3);
+  }
+}
+
+TEST(PhantomProgram, the_same_shape_is_the_same_file_for_any_number_of_threads)
+{
+  const TemporaryFolder folder;
+  const std::string options = "--shape torus --size 24,20,22 --noise gaussian:10% --bias 0.4 ";
+  EXPECT_EQ(run_phantom(folder, options + "--threads 1 -o a.nrrd --truth-surface a.vtp").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, options + "--threads 2 -o b.nrrd --truth-surface b.vtp").exit_code, 0);
+  EXPECT_EQ(read_file(folder / "a.nrrd"), read_file(folder / "b.nrrd"));
+  EXPECT_EQ(read_file(folder / "a.vtp"), read_file(folder / "b.vtp"));
+}
+
+TEST(PhantomProgram, a_blurred_scan_differs_and_a_blur_of_nothing_does_not)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_phantom(folder, "--shape sphere --size 20 --noise gaussian:20% -o noisy.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, "--scan noisy.nrrd --blur 0 -o same.nrrd").exit_code, 0);
+  EXPECT_EQ(run_phantom(folder, "--scan noisy.nrrd --blur 1 -o blurred.nrrd").exit_code, 0);
+  EXPECT_EQ(data_of(read_file(folder / "same.nrrd")), data_of(read_file(folder / "noisy.nrrd")));
+  EXPECT_NE(data_of(read_file(folder / "blurred.nrrd")), data_of(read_file(folder / "noisy.nrrd")));
+}
+
 TEST(PhantomProgram, tells_its_version_and_its_options)
 {
   const TemporaryFolder folder;
@@ -107,6 +140,9 @@ TEST(PhantomProgram, refuses_bad_usage)
   expect_refused("-o a.nrrd --size 8 --threads -1", 2, "--threads: -1");
   expect_refused("-o a.nrrd --size 8 --type int8", 2, "int8");
   expect_refused("-o a.nrrd --scan b.nrrd --size 8", 2, "--scan");
+  expect_refused("-o a.nrrd --shape cube", 2, "cube");
+  expect_refused("-o a.nrrd --size 8 --truth-surface a.stl", 2, "a.stl");
+  expect_refused("-o a.nrrd --size 8 --blur 1", 2, "--scan");
   expect_refused("-o a.nrrd --scan missing.nrrd", 3, "missing.nrrd");
 }
 

@@ -1,9 +1,8 @@
 #include "volsurf/field/smooth_volume.h"
 
-#include "volsurf/core/parallel.h"
-#include "volsurf/field/kernel_rows.h"
-#include "volsurf/field/row_kernels.h"
+#include "volsurf/field/gaussian_blur.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace volsurf {
@@ -38,32 +37,6 @@ double remaining_sigma_voxels(double sigma_mm, double spacing_mm)
   return std::sqrt(std::max(sigma * sigma - 1.0 / 3.0, 0.0));
 }
 
-HalfKernel blur_kernel(double sigma_voxels)
-{
-  return sigma_voxels > 0.05 ? gaussian_kernel(sigma_voxels) : HalfKernel{1.0F};
-}
-
-/// Blurs along z, then y, then x, into `out`.
-void blur(const Volume &volume, const std::array<HalfKernel, 3> &kernels, std::vector<float> &out)
-{
-  const auto &[nx, ny, nz] = volume.grid.size;
-  const auto radius = [&](int axis) { return static_cast<int>(kernels[axis].size()) - 1; };
-  parallel_for_slabs(nz, 1, [&, nx = nx, ny = ny, nz = nz](const Slab &slab) {
-    const std::int64_t z = slab.begin;
-    std::vector<float> plane(static_cast<std::size_t>(nx * ny));
-    std::vector<float> row(static_cast<std::size_t>(nx + 2 * radius(0)));
-    const auto along_z = rows_around(volume.samples.data(), nx * ny, z, nz - 1, radius(2));
-    smooth_row(along_z.data(), kernels[2].data(), radius(2), nx * ny, plane.data());
-    for (std::int64_t y = 0; y < ny; ++y) {
-      const auto along_y = rows_around(plane.data(), nx, y, ny - 1, radius(1));
-      smooth_row(along_y.data(), kernels[1].data(), radius(1), nx, row.data() + radius(0));
-      pad_row(row, radius(0));
-      const auto along_x = shifted_rows(row.data(), radius(0));
-      smooth_row(along_x.data(), kernels[0].data(), radius(0), nx, out.data() + (z * ny + y) * nx);
-    }
-  });
-}
-
 double sum(const std::array<double, 4> &weights, const std::array<double, 4> &values)
 {
   return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] + weights[3] * values[3];
@@ -71,13 +44,12 @@ double sum(const std::array<double, 4> &weights, const std::array<double, 4> &va
 
 } // namespace
 
-SmoothVolume::SmoothVolume(const Volume &volume, double sigma_mm)
-    : grid_(volume.grid), coefficients_(volume.samples.size())
+SmoothVolume::SmoothVolume(const Volume &volume, double sigma_mm) : grid_(volume.grid)
 {
-  std::array<HalfKernel, 3> kernels;
+  Vec3 sigma_voxels{};
   for (int axis = 0; axis < 3; ++axis)
-    kernels[axis] = blur_kernel(remaining_sigma_voxels(sigma_mm, grid_.spacing_mm[axis]));
-  blur(volume, kernels, coefficients_);
+    sigma_voxels[axis] = remaining_sigma_voxels(sigma_mm, grid_.spacing_mm[axis]);
+  coefficients_ = gaussian_blur(volume, sigma_voxels);
 }
 
 Vec3 SmoothVolume::gradient_at(const Vec3 &index) const

@@ -2,72 +2,16 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
-#include "volsurf/phantom/random.h"
-#include "volsurf/phantom/shapes.h"
+#include "volsurf/phantom/bias_field.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace volsurf {
 
 namespace {
-
-void check_options(const PhantomOptions &options)
-{
-  std::int64_t room = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(float));
-  for (const std::int64_t size : options.size) {
-    if (size < 2)
-      throw UsageError("size: " + std::to_string(size) + " samples on an axis, at least 2 are needed");
-    room /= size;
-  }
-  if (room < 1)
-    throw UsageError("size: more samples than this machine can count");
-  for (const double spacing : options.spacing_mm)
-    if (!(spacing > 0) || !std::isfinite(spacing))
-      throw UsageError("spacing: " + std::to_string(spacing) + " mm, must be greater than 0");
-  if (!(options.bias >= 0 && options.bias <= 1))
-    throw UsageError("bias: " + std::to_string(options.bias) + ", must lie in 0 .. 1");
-}
-
-Grid centred_grid(const PhantomOptions &options)
-{
-  Grid grid;
-  grid.size = options.size;
-  grid.spacing_mm = options.spacing_mm;
-  for (int axis = 0; axis < 3; ++axis)
-    grid.origin_mm[axis] = -0.5 * options.spacing_mm[axis] * static_cast<double>(options.size[axis] - 1);
-  return grid;
-}
-
-/// A smooth factor around 1: one slow wave along each axis, tabulated, and their sum.
-struct BiasField {
-  double amplitude;
-  std::array<std::vector<double>, 3> waves;
-};
-
-BiasField make_bias_field(const PhantomOptions &options, const Grid &grid)
-{
-  // Positions that make_fold_pattern, which shares the seed, does not use.
-  constexpr std::uint64_t kFirstPosition = 1000;
-  // Half a period or so across the head: slower than any anatomy.
-  constexpr double kRadiansPerMm = 0.02;
-  BiasField field{options.bias / 2, {}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double phase = 6.283185307179586 * random_uniform(options.anatomy, kFirstPosition + axis);
-    for (std::int64_t i = 0; i < grid.size[axis]; ++i) {
-      const double position = grid.origin_mm[axis] + grid.spacing_mm[axis] * static_cast<double>(i);
-      field.waves[axis].push_back(std::cos(kRadiansPerMm * position + phase) / 3);
-    }
-  }
-  return field;
-}
-
-double bias_at(const BiasField &field, const Index3 &i)
-{
-  const auto wave = [&](std::size_t axis) { return field.waves[axis][static_cast<std::size_t>(i[axis])]; };
-  return 1 + field.amplitude * (wave(0) + wave(1) + wave(2));
-}
 
 /// Intensity of each Tissue at one height.
 using TissueSignals = std::array<double, kTissueCount>;
@@ -124,7 +68,35 @@ void fill_row(const Recipe &recipe, std::int64_t row, Phantom &phantom)
   }
 }
 
+void check_options(const PhantomOptions &options)
+{
+  std::int64_t room = std::numeric_limits<std::int64_t>::max() / static_cast<std::int64_t>(sizeof(float));
+  for (const std::int64_t size : options.size) {
+    if (size < 2)
+      throw UsageError("size: " + std::to_string(size) + " samples on an axis, at least 2 are needed");
+    room /= size;
+  }
+  if (room < 1)
+    throw UsageError("size: more samples than this machine can count");
+  for (const double spacing : options.spacing_mm)
+    if (!(spacing > 0) || !std::isfinite(spacing))
+      throw UsageError("spacing: " + std::to_string(spacing) + " mm, must be greater than 0");
+  if (!(options.bias >= 0 && options.bias <= 1))
+    throw UsageError("bias: " + std::to_string(options.bias) + ", must lie in 0 .. 1");
+}
+
 } // namespace
+
+Grid phantom_grid(const PhantomOptions &options)
+{
+  check_options(options);
+  Grid grid;
+  grid.size = options.size;
+  grid.spacing_mm = options.spacing_mm;
+  for (int axis = 0; axis < 3; ++axis)
+    grid.origin_mm[axis] = -0.5 * options.spacing_mm[axis] * static_cast<double>(options.size[axis] - 1);
+  return grid;
+}
 
 double tissue_signal(Tissue tissue, double height_mm)
 {
@@ -139,15 +111,15 @@ double tissue_signal(Tissue tissue, double height_mm)
 
 Phantom make_head_phantom(const PhantomOptions &options, const Progress &progress)
 {
-  check_options(options);
   Phantom phantom;
-  phantom.volume.grid = phantom.truth.grid = centred_grid(options);
+  phantom.volume.grid = phantom.truth.grid = phantom_grid(options);
   const Grid &grid = phantom.volume.grid;
   phantom.volume.samples.resize(static_cast<std::size_t>(grid.sample_count()));
   if (options.with_truth)
     phantom.truth.labels.resize(static_cast<std::size_t>(grid.sample_count()));
 
-  const Recipe recipe{make_fold_pattern(options.anatomy), make_bias_field(options, grid),
+  const Recipe recipe{make_fold_pattern(options.anatomy),
+                      make_bias_field(grid, options.bias, options.anatomy, kHeadExtentMm),
                       std::cbrt(voxel_volume_mm3(grid))};
   const std::int64_t rows = grid.size[1] * grid.size[2];
   constexpr std::int64_t kRowsPerSlab = 16;

@@ -33,6 +33,9 @@ struct Phantom {
   LabelVolume truth; ///< the Tissue at each sample's centre, on the volume's grid
 };
 
+/// The grid that the options ask for, its middle at the origin. Throws UsageError where an option is out of its range.
+Grid phantom_grid(const PhantomOptions &options);
+
 /// Noise-free intensity of a tissue at a height of the head's frame, before bias. As under a coil that was made
 /// for the brain, what lies around the brain fades downwards: at the lower end of the head, skin, muscle, bone and
 /// fluid are as dark as air. So the walls between them and the air have a weak point, and they are one region with it.
