@@ -1,5 +1,7 @@
 #include "volsurf/surface/point_numbering.h"
 
+#include "volsurf/core/star.h"
+
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/surface/sheets.h"
@@ -147,8 +149,8 @@ PointId PointNumbering::midpoint(const FacePosition &face, const Index3 &sample,
 {
   // The edge's four octants hold two inside ones; the face's own tells which of the two midpoints is its.
   const unsigned inside = split_at(sample_id(sample))->inside;
-  const auto [a, b] = octants_of_star_face(star_face_at(face, sample));
-  const int own = (inside >> a & 1U) ? a : b;
+  const int star_face = star_face_at(face, sample);
+  const int own = (inside >> lower_octant(star_face) & 1U) ? lower_octant(star_face) : upper_octant(star_face);
   int lowest = 1 << axis;
   while (!(inside >> lowest & 1U) || !(lowest >> axis & 1))
     ++lowest;

@@ -1,5 +1,7 @@
 #include "volsurf/surface/sheets.h"
 
+#include "volsurf/core/star.h"
+
 #include <algorithm>
 #include <memory>
 #include <numeric>
@@ -18,8 +20,7 @@ unsigned star_faces_of(unsigned inside)
 {
   unsigned faces = 0;
   for (int f = 0; f < 12; ++f) {
-    const auto [a, b] = octants_of_star_face(f);
-    faces |= static_cast<unsigned>(has_bit(inside, a) != has_bit(inside, b)) << f;
+    faces |= static_cast<unsigned>(has_bit(inside, lower_octant(f)) != has_bit(inside, upper_octant(f))) << f;
   }
   return faces;
 }
@@ -29,8 +30,7 @@ std::vector<int> faces_at_edge(unsigned faces, int edge)
 {
   std::vector<int> result;
   for (int f = 0; f < 12; ++f) {
-    const auto [a, b] = octants_of_star_face(f);
-    const bool at_edge = f / 4 != edge / 2 && (a >> (edge / 2) & 1) == (edge & 1);
+    const bool at_edge = f / 4 != edge / 2 && (lower_octant(f) >> (edge / 2) & 1) == (edge & 1);
     if (at_edge && has_bit(faces, f))
       result.push_back(f);
   }
@@ -54,8 +54,7 @@ private:
 
 int inside_octant(unsigned inside, int f)
 {
-  const auto [a, b] = octants_of_star_face(f);
-  return has_bit(inside, a) ? a : b;
+  return has_bit(inside, lower_octant(f)) ? lower_octant(f) : upper_octant(f);
 }
 
 FaceGroups sheets_of(unsigned inside)
@@ -132,15 +131,6 @@ const SheetTables &sheet_tables()
 {
   static const std::unique_ptr<SheetTables> tables = make_tables();
   return *tables;
-}
-
-std::array<int, 2> octants_of_star_face(int star_face)
-{
-  const int axis = star_face / 4;
-  const int k = star_face % 4;
-  const int low_bits = k & ((1 << axis) - 1);
-  const int high_bits = (k >> axis) << (axis + 1);
-  return {low_bits | high_bits, low_bits | high_bits | 1 << axis};
 }
 
 } // namespace volsurf

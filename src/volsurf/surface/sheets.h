@@ -4,8 +4,7 @@
 // is made one by giving each sheet a copy of the point: the faces at an edge that belong to the same inside cell stay
 // together, so that inside cells that touch along an edge are taken apart.
 //
-// Octants and star faces are numbered as in the merge: octant o is the cell at (x-1, y-1, z-1) + the bits of o; star
-// face 4 * axis + k lies between two octants that differ in the bit of its axis, k counts the other bits.
+// Octants and star faces are numbered as core/star.h says.
 #pragma once
 
 #include <array>
@@ -30,8 +29,5 @@ struct SheetTables {
 
 /// Computed once, on first use; thread-safe.
 const SheetTables &sheet_tables();
-
-/// The octants on the two sides of a star face, lower first.
-std::array<int, 2> octants_of_star_face(int star_face);
 
 } // namespace volsurf
