@@ -135,8 +135,8 @@ std::string to_html(const Exploration &exploration)
   write_chart(
       out, regions_chart(exploration),
       "The volume falls into regions, and the walls between them form connected surfaces, the components. Where "
-      "a curve is flat the choice of delta hardly matters; where it is steep, on the left, it is noise that "
-      "comes and goes.");
+      "a curve is flat the choice of delta hardly matters; left of the noise floor, what comes and goes may be "
+      "noise alone.");
   write_chart(
       out, area_chart(exploration),
       "The area of all walls together, on the voxels' faces. A sudden step is a large wall that gives way: stay "
