@@ -13,7 +13,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 SOURCE_ENDINGS = {".h", ".hpp", ".cpp", ".cc"}
 
 BELOW_STAGES = {"core", "interop"}
-STAGES = {"io", "field", "topology", "surface", "phantom", "plot"}
+STAGES = {"io", "field", "topology", "surface", "phantom", "plot", "compare"}
 # What the files of each folder may include from other folders of src/volsurf.
 ALLOWED_FOLDERS = {
     "core": set(),
@@ -28,7 +28,8 @@ CORE_LIBRARY = re.compile(r"(core|field|topology|phantom)/|surface/(?!smoothing)
 # Library, how its headers are named, the files that may include them, and how to say so.
 LIBRARIES = (
     ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"io/"), "io"),
-    ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io)/|surface/smoothing"), "interop, io, surface/smoothing"),
+    ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io|compare)/|surface/smoothing"),
+     "interop, io, compare, surface/smoothing"),
     ("OpenVDB", re.compile(r"openvdb/"), re.compile(r"interop/"), "interop"),
     ("cairo", re.compile(r"cairo[\w-]*\.h"), re.compile(r"plot/"), "plot"),
     ("CLI11", re.compile(r"CLI/"), re.compile(r"apps/"), "apps"),

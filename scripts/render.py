@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Draws surfaces into a PNG, off the screen, with VTK's Python (Debian: python3-vtk9, xvfb, xauth).
 
-In:  one or more .vtp files as volsurf writes them (LPS millimetres, arrays with one entry per triangle) and, by choice,
-     the scan that they come from (.nrrd, .nhdr, .nii, .nii.gz).
+In:  one or more .vtp files as volsurf writes them (LPS millimetres, arrays with one entry per triangle or
+     point) and, by choice, the scan that they come from (.nrrd, .nhdr, .nii, .nii.gz).
 Out: one PNG, the surfaces side by side. With a scan, its slice through their middle is drawn too, and the line in
      which each surface meets it. Where there is no display the program starts itself again under xvfb-run.
 """
@@ -29,7 +29,14 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataObject, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkCutter, vtkImageAppend, vtkPolyDataNormals, vtkThreshold
+from vtkmodules.vtkFiltersCore import (
+    vtkClipPolyData,
+    vtkCutter,
+    vtkImageAppend,
+    vtkPointDataToCellData,
+    vtkPolyDataNormals,
+    vtkThreshold,
+)
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkImageReader2, vtkNIFTIImageReader, vtkNrrdReader, vtkPNGWriter
@@ -89,7 +96,7 @@ def parse_arguments(words):
     parser.add_argument(
         "--color",
         default="none",
-        help="Persistence, Component, RegionA, RegionB, Cap or another array of the triangles; none (default)",
+        help="Persistence, Component, RegionA, RegionB, Cap or another array of the triangles or points; none (default)",
     )
     parser.add_argument(
         "--thresholds",
@@ -147,6 +154,15 @@ def existing(path):
     return path
 
 
+def by_triangle(surface):
+    """The surface with the arrays of its points, such as a distance, as means over each triangle too."""
+    averages = vtkPointDataToCellData()
+    averages.SetInputData(surface)
+    averages.PassPointDataOff()
+    averages.Update()
+    return averages.GetOutput()
+
+
 def read_surface(path, colour_array):
     """A .vtp file as vtkPolyData that has triangles and the array to colour by."""
     reader = vtkXMLPolyDataReader()
@@ -155,6 +171,8 @@ def read_surface(path, colour_array):
     surface = reader.GetOutput()
     if surface.GetNumberOfPolys() == 0:
         fail(f"{path}: holds no triangles")
+    if surface.GetPointData().HasArray(colour_array):
+        surface = by_triangle(surface)
     if colour_array != "none" and not surface.GetCellData().HasArray(colour_array):
         fail(f"{path}: has no array '{colour_array}' for its triangles")
     return in_lps(surface)

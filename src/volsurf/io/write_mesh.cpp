@@ -15,8 +15,10 @@
 #include <vtkCellData.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPLYWriter.h>
+#include <vtkPointData.h>
 #include <vtkSTLWriter.h>
 #include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -90,15 +92,26 @@ void add_field_data(vtkPolyData &data, const Provenance &provenance, Frame frame
   }
 }
 
-void write_vtp(const Mesh &mesh, const fs::path &file, const Provenance &provenance, Frame frame)
+void add_point_arrays(const std::vector<PointArray> &arrays, vtkPolyData &data)
 {
-  const vtkSmartPointer<vtkPolyData> data = to_poly_data(mesh, frame);
-  add_cell_arrays(mesh, *data);
-  data->GetCellData()->SetActiveScalars("Persistence");
-  add_field_data(*data, provenance, frame);
+  for (const PointArray &array : arrays) {
+    vtkNew<vtkFloatArray> values;
+    values->SetName(array.name.c_str());
+    values->SetNumberOfValues(static_cast<vtkIdType>(array.values.size()));
+    std::copy(array.values.begin(), array.values.end(), values->GetPointer(0));
+    data.GetPointData()->AddArray(values);
+  }
+  if (!arrays.empty())
+    data.GetPointData()->SetActiveScalars(arrays.front().name.c_str());
+}
+
+/// Writes a mesh, with the arrays that are to go with it, as VTP.
+void write_poly_data(vtkPolyData &data, const fs::path &file, const Provenance &provenance, Frame frame)
+{
+  add_field_data(data, provenance, frame);
   const QuietVtk quiet;
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(data);
+  writer->SetInputData(&data);
   writer->SetDataModeToBinary(); // ParaView 5.11 with Debian's present expat reads no appended data
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1); // on 3.4 million triangles 4 % larger than at 5, in half of the time
@@ -208,7 +221,7 @@ void write_mesh(const Mesh &mesh, OutputKind kind, const fs::path &file, const P
 {
   switch (kind) {
   case OutputKind::vtp:
-    return write_vtp(mesh, file, provenance, frame);
+    return write_vtp(mesh, {}, file, provenance, frame);
   case OutputKind::stl:
     return write_stl(mesh, file, provenance, frame);
   case OutputKind::ply:
@@ -219,6 +232,17 @@ void write_mesh(const Mesh &mesh, OutputKind kind, const fs::path &file, const P
     break;
   }
   assert(false && "a VDB file holds no mesh");
+}
+
+void write_vtp(const Mesh &mesh, const std::vector<PointArray> &arrays, const fs::path &file,
+               const Provenance &provenance, Frame frame)
+{
+  const vtkSmartPointer<vtkPolyData> data = to_poly_data(mesh, frame);
+  add_cell_arrays(mesh, *data);
+  if (arrays.empty())
+    data->GetCellData()->SetActiveScalars("Persistence");
+  add_point_arrays(arrays, *data);
+  write_poly_data(*data, file, provenance, frame);
 }
 
 } // namespace volsurf

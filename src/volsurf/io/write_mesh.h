@@ -6,6 +6,8 @@
 #include "volsurf/interop/frame.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace volsurf {
 
@@ -22,5 +24,15 @@ OutputKind output_kind_of(const std::filesystem::path &path);
 /// The same input makes the same bytes. Throws OutputError, also where the disk is full.
 void write_mesh(const Mesh &mesh, OutputKind kind, const std::filesystem::path &file, const Provenance &provenance,
                 Frame frame);
+
+/// One value for each point of a mesh.
+struct PointArray {
+  std::string name;
+  std::vector<float> values;
+};
+
+/// The same for a vtp file, with further arrays by point; the first of them is the one that a viewer shows at once.
+void write_vtp(const Mesh &mesh, const std::vector<PointArray> &arrays, const std::filesystem::path &file,
+               const Provenance &provenance, Frame frame);
 
 } // namespace volsurf
