@@ -1,6 +1,7 @@
 #include "volsurf/pipeline/comparison.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace volsurf {

@@ -3,7 +3,7 @@
 #include "volsurf/core/error.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
 #include <regex>
 
 namespace volsurf {
@@ -12,29 +12,29 @@ namespace {
 
 using Value = std::optional<double>;
 
-template <double SurfaceDistances::*kMember> Value of_both(const Comparison &c)
+template <double SurfaceDistances::*Member> Value of_both(const Comparison &c)
 {
-  return c.distances.*kMember;
+  return c.distances.*Member;
 }
 
-template <double DirectedDistances::*kMember> Value of_a_to_b(const Comparison &c)
+template <double DirectedDistances::*Member> Value of_a_to_b(const Comparison &c)
 {
-  return c.distances.a_to_b.*kMember;
+  return c.distances.a_to_b.*Member;
 }
 
-template <double DirectedDistances::*kMember> Value of_b_to_a(const Comparison &c)
+template <double DirectedDistances::*Member> Value of_b_to_a(const Comparison &c)
 {
-  return c.distances.b_to_a.*kMember;
+  return c.distances.b_to_a.*Member;
 }
 
-template <double VertexDistances::*kMember> Value of_vertices(const Comparison &c)
+template <double VertexDistances::*Member> Value of_vertices(const Comparison &c)
 {
-  return c.vertices.*kMember;
+  return c.vertices.*Member;
 }
 
-template <double Overlap::*kMember> Value of_overlap(const Comparison &c)
+template <double Overlap::*Member> Value of_overlap(const Comparison &c)
 {
-  return c.overlap ? Value((*c.overlap).*kMember) : std::nullopt;
+  return c.overlap ? Value((*c.overlap).*Member) : std::nullopt;
 }
 
 Value bias(const Comparison &c)

@@ -6,7 +6,6 @@
 #include "volsurf/surface/check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
