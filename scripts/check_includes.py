@@ -24,10 +24,11 @@ ALLOWED_FOLDERS = {
     "apps": BELOW_STAGES | STAGES | {"pipeline", "views"},
 }
 # The files that make volsurf_core, which a ParaView plugin uses beside another VTK: they need nothing but core.
-CORE_LIBRARY = re.compile(r"(core|field|topology|phantom)/|surface/(?!smoothing)")
+CORE_LIBRARY = re.compile(r"(core|topology|phantom)/|field/(?!median)|surface/(?!smoothing)")
 # Library, how its headers are named, the files that may include them, and how to say so.
 LIBRARIES = (
-    ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"io/"), "io"),
+    ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"io/|interop/itk_image|field/median"),
+     "io, interop/itk_image, field/median"),
     ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io|compare)/|surface/smoothing"),
      "interop, io, compare, surface/smoothing"),
     ("OpenVDB", re.compile(r"openvdb/"), re.compile(r"interop/"), "interop"),

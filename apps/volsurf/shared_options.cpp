@@ -1,11 +1,17 @@
 #include "shared_options.h"
 
+#include "volsurf/field/median.h"
+
 #include <sstream>
 
 namespace volsurf {
 
 void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
 {
+  app.add_option("--median", settings.median_voxels,
+                 "Replace each sample by the median of (2R+1)^3 first, R in voxels: against impulse noise [0]")
+      ->group("Field")
+      ->check(CLI::Range(0, kLargestMedian));
   app.add_option("--sigma", settings.field.sigma_mm,
                  "Gaussian for the gradient in mm; 0: central differences [one voxel: the smallest spacing]")
       ->group("Field");
@@ -16,6 +22,7 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
   app.add_flag("--paper", texts.paper,
                "Exactly the paper: --sigma 0 --exterior infinite, and surfaces on the voxels' faces")
       ->group("Field")
+      ->excludes("--median")
       ->excludes("--sigma")
       ->excludes("--edge-map");
 }

@@ -60,6 +60,7 @@ TEST_F(BadUsage, OptionsOfOneValueAreGivenOnce)
 TEST_F(BadUsage, PaperSetsSigmaExteriorAndFieldItself)
 {
   expect_usage("--delta 2 --paper --sigma 1", {"--paper", "--sigma"});
+  expect_usage("--delta 2 --paper --median 1", {"--paper", "--median"});
   expect_usage("--delta 2 --paper --exterior none", {"--paper", "--exterior"});
   expect_usage("--delta 2 --paper --edge-map", {"--paper", "--edge-map"});
   expect_usage("--delta 2 --edge-map --sigma 1", {"--edge-map", "--sigma"});
@@ -117,6 +118,9 @@ TEST_F(BadUsage, WordsOutsideTheDocumentedOnesAreAnsweredWithThem)
 TEST_F(BadUsage, NumbersOutOfRangeAreAnsweredWithTheRange)
 {
   expect_usage("--delta 2 --threads -1", {"--threads", "-1", "0 to 1024"});
+  for (const std::string radius : {"-1", "4"})
+    expect_usage("--delta 2 --median " + radius, {"--median", radius, "0 to 3"});
+  expect_usage("--delta 2 --median 1.5", {"--median", "1.5"});
   expect_usage("--delta 2 --smooth 2", {"--smooth: found 2; allowed are 0 to 1"});
   expect_usage("--delta 2 --smooth nan", {"--smooth: found nan; allowed are 0 to 1"});
   expect_usage("--delta 2 --passband 0", {"--passband: found 0; allowed are 0.001 to 2"});

@@ -60,6 +60,7 @@ TEST_F(SavedHierarchy, GivesTheSameResultsWithEveryOptionOfTheMerge)
   expect_cuts_as(head(32), "--sigma 0 --exterior infinite", {"--delta 15", "--delta 20 --keep 1 --snap off"});
   expect_cuts_as(head(32), "--sigma 1.5 --exterior infinite", {"--delta 2"});
   expect_cuts_as(head(32), "--edge-map", {"--delta 10"});
+  expect_cuts_as(head(32), "--median 2", {"--delta 10"});
 }
 
 TEST_F(SavedHierarchy, IsKnownByItsBytesWhateverItsName)
@@ -80,10 +81,19 @@ TEST_F(SavedHierarchy, TakesTheOptionsItWasMadeWithAndNoOthers)
 {
   saved_ball();
   const std::string holds = "scan.volsurf: found the hierarchy of ball.nrrd, made with --sigma 0.5 --exterior none";
-  for (const std::string option : {"--sigma 1", "--exterior infinite", "--edge-map", "--paper", "--series 1.2"})
+  for (const std::string option :
+       {"--sigma 1", "--median 1", "--exterior infinite", "--edge-map", "--paper", "--series 1.2"})
     expect_refused("scan.volsurf --delta 2 " + option, 2, {holds});
-  for (const std::string option : {"--sigma 0.5", "--exterior none", "--sigma 0.5 --exterior none"})
+  for (const std::string option : {"--sigma 0.5", "--median 0", "--exterior none", "--sigma 0.5 --exterior none"})
     EXPECT_EQ(run("scan.volsurf --delta 2 " + option).exit_code, 0) << option;
+}
+
+TEST_F(SavedHierarchy, OfMediansTakesNoOthers)
+{
+  save(ball() + " --delta 2 --sigma 1 --median 1");
+  for (const std::string option : {"--median 0", "--median 2"})
+    expect_refused("scan.volsurf --delta 2 " + option, 2, {"made with --median 1 --sigma 1 --exterior none"});
+  EXPECT_EQ(run("scan.volsurf --delta 2 --median 1").exit_code, 0);
 }
 
 TEST_F(SavedHierarchy, OfAnEdgeMapTakesNoSigma)

@@ -49,6 +49,11 @@ TEST_F(SameBytes, WithoutAGaussian)
   expect_for("--delta 20 --sigma 0 --smooth 0 --frame ras");
 }
 
+TEST_F(SameBytes, OfMedians)
+{
+  expect_for("--delta 15 --median 1");
+}
+
 TEST_F(SameBytes, ForEachRegionInAFileOfItsOwn)
 {
   expect_for("--delta 10 --split regions --min-volume 3000");

@@ -31,6 +31,7 @@ MergedVolume merged_of(const Field &field, Exterior exterior)
   merged.input.pixel_type = "int16";
   merged.input.warnings = {"a \"warning\"", "and\nanother"};
   merged.series_uid = "1.2.3";
+  merged.median_voxels = 2;
   merged.field.edge_map = true;
   merged.exterior = exterior;
   merged.non_finite_gradients = 5;
@@ -202,6 +203,7 @@ TEST_F(StoredMergeFile, TellsHowItWasMade)
   EXPECT_EQ(read.input.pixel_type, merged.input.pixel_type);
   EXPECT_EQ(read.input.warnings, merged.input.warnings);
   EXPECT_EQ(read.series_uid, merged.series_uid);
+  EXPECT_EQ(read.median_voxels, merged.median_voxels);
   EXPECT_EQ(read.field.sigma_mm, merged.field.sigma_mm);
   EXPECT_EQ(read.field.edge_map, merged.field.edge_map);
   EXPECT_EQ(read.exterior, merged.exterior);
@@ -312,6 +314,7 @@ TEST_F(StoredMergeFile, WithFactsOutOfRangeIsRefused)
   expect_refused_header("\"pixel_type\":\"int16\",", "", "facts that cannot be understood");
   expect_refused_header("\"bytes\":1234", "\"bytes\":-1", "\"bytes\"");
   expect_refused_header("\"background\":", "\"background\":99999999999", "\"background\"");
+  expect_refused_header("\"median_voxels\":2", "\"median_voxels\":4", "\"median_voxels\"");
   expect_refused_header("\"sigma_mm\":null,\"edge_map\":true", "\"sigma_mm\":-1,\"edge_map\":false", "\"sigma_mm\"");
   expect_refused_header("\"sigma_mm\":null,\"edge_map\":true", "\"sigma_mm\":1e9,\"edge_map\":false", "\"sigma_mm\"");
 }

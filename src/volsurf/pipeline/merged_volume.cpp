@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/timer.h"
+#include "volsurf/field/median.h"
 #include "volsurf/pipeline/stored_merge.h"
 
 #include <sstream>
@@ -33,11 +34,14 @@ void require_options_of(const MergedVolume &merged, const Settings &settings)
   const FieldOptions &wanted = settings.field;
   const bool same_sigma = !wanted.sigma_mm || (*wanted.sigma_mm == sigma_mm && !merged.field.edge_map);
   const bool same_input = (!wanted.edge_map || merged.field.edge_map) &&
-                          (settings.series_uid.empty() || settings.series_uid == merged.series_uid);
+                          (settings.series_uid.empty() || settings.series_uid == merged.series_uid) &&
+                          settings.median_voxels.value_or(merged.median_voxels) == merged.median_voxels;
   if (same_sigma && same_input && settings.exterior.value_or(merged.exterior) == merged.exterior)
     return;
   std::ostringstream message;
   message << settings.input.string() << ": found the hierarchy of " << source_name(merged) << ", made with ";
+  if (merged.median_voxels > 0)
+    message << "--median " << merged.median_voxels << ' ';
   if (merged.field.edge_map)
     message << "--edge-map";
   else
@@ -77,6 +81,8 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
   }
   merged.input = read_volume(settings.input, {settings.series_uid, check_grid});
   merged.series_uid = settings.series_uid;
+  merged.median_voxels = settings.median_voxels.value_or(0);
+  filter_by_median(merged.input.volume, merged.median_voxels, progress);
   merged.field = settings.field;
   merged.exterior = settings.exterior.value_or(MergeOptions{}.exterior);
   return merged;
@@ -91,6 +97,7 @@ std::string source_name(const MergedVolume &merged)
 Settings settings_of_merge(Settings settings, const MergedVolume &merged)
 {
   settings.series_uid = merged.series_uid;
+  settings.median_voxels = merged.median_voxels;
   if (!settings.field.sigma_mm)
     settings.field.sigma_mm = merged.field.sigma_mm;
   settings.field.edge_map = merged.field.edge_map;

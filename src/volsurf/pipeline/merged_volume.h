@@ -14,6 +14,7 @@ struct MergedVolume {
   InputVolume input;
   bool is_stored = false;                ///< it comes from a file of --save-hierarchy, not from the scan itself
   std::string series_uid;                ///< of the DICOM series that was asked for, if one was
+  int median_voxels = 0;                 ///< radius of the filter that the samples have gone through
   FieldOptions field;                    ///< what the merge is made with, as it was given
   Exterior exterior = Exterior::none;    ///< likewise
   std::int64_t non_finite_gradients = 0; ///< samples that were taken as walls
@@ -28,13 +29,14 @@ std::uint64_t expected_memory_bytes(const Grid &grid);
 /// The name of the scan, without its folder.
 std::string source_name(const MergedVolume &merged);
 
-/// Reads settings.input, a scan or a file of --save-hierarchy, which is told by its first bytes. `found` gets its grid
-/// before the samples are read. Throws InputError, also where more memory would be needed than settings allow, and
-/// UsageError where settings ask for another field, exterior or series than the file holds.
+/// Reads settings.input, a scan or a file of --save-hierarchy, which is told by its first bytes, and takes the medians
+/// of a scan where settings ask for them. `found` gets its grid before the samples are read. Throws InputError, also
+/// where more memory would be needed than settings allow, and UsageError where settings ask for another median, field,
+/// exterior or series than the file holds.
 MergedVolume read_input(const Settings &settings, const Progress &progress = {},
                         const std::function<void(const Grid &)> &found = {});
 
-/// Settings with the field, exterior and series that the merge is made with.
+/// Settings with the median, field, exterior and series that the merge is made with.
 Settings settings_of_merge(Settings settings, const MergedVolume &merged);
 
 /// Computes the gradient and merges, unless that is done already. Throws UsageError for a sigma out of range, and

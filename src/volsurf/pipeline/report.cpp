@@ -37,6 +37,7 @@ Json options_json(const Report &report)
     outputs.push_back(output.string());
   Json options{{"command_line", describe(settings, report.decision.delta)},
                {"delta", report.decision.delta},
+               {"median_voxels", settings.median_voxels.value_or(0)},
                {"sigma_mm", report.sigma_mm},
                {"edge_map", settings.field.edge_map},
                {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},

@@ -55,6 +55,8 @@ std::string describe(const Settings &settings, double delta)
   std::ostringstream out;
   out.precision(9);
   out << delta_text(DeltaValue{delta});
+  if (settings.median_voxels.value_or(0) > 0)
+    out << " --median " << *settings.median_voxels;
   if (settings.field.edge_map)
     out << " --edge-map";
   else if (settings.field.sigma_mm)

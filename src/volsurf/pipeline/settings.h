@@ -31,6 +31,7 @@ struct Settings {
   std::filesystem::path input;
   std::string series_uid; ///< of a DICOM folder with several series
 
+  std::optional<int> median_voxels; ///< radius of the median filter; not set: none, or what a hierarchy was made with
   FieldOptions field;
   DeltaChoice delta = AutomaticDelta{}; ///< the persistence that a boundary must reach, in intensity per mm
   std::optional<Exterior> exterior;     ///< not set: none, or what a stored hierarchy was made with

@@ -1,6 +1,7 @@
 #include "volsurf/pipeline/stored_facts.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/field/median.h"
 
 #include <cmath>
 #include <limits>
@@ -88,6 +89,8 @@ void read_source(const Json &source, MergedVolume &merged)
 
 void read_options(const Json &options, MergedVolume &merged)
 {
+  require(integer_at(options, "median_voxels", 0) <= kLargestMedian, "median_voxels");
+  merged.median_voxels = options["median_voxels"].get<int>();
   if (!options.at("sigma_mm").is_null())
     merged.field.sigma_mm = options["sigma_mm"].get<double>();
   merged.field.edge_map = options.at("edge_map").get<bool>();
@@ -124,7 +127,8 @@ std::string facts_of(const MergedVolume &merged)
       {"source", source_json(merged)},
       {"grid", json_of(merged.input.volume.grid)},
       {"options",
-       {{"sigma_mm", value_or_null(merged.field.sigma_mm)},
+       {{"median_voxels", merged.median_voxels},
+        {"sigma_mm", value_or_null(merged.field.sigma_mm)},
         {"edge_map", merged.field.edge_map},
         {"exterior", merged.exterior == Exterior::infinite ? "infinite" : "none"}}},
       {"non_finite_gradients", merged.non_finite_gradients},
