@@ -100,15 +100,15 @@ SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anat
 
 std::optional<BodyKind> parse_body(std::string_view name)
 {
-  static const std::map<std::string_view, BodyKind> kBodies{{"sphere", BodyKind::kSphere},
-                                                            {"torus", BodyKind::kTorus},
-                                                            {"blobs", BodyKind::kBlobs},
-                                                            {"shell", BodyKind::kShell},
-                                                            {"cortex", BodyKind::kCortex}};
+  static const std::map<std::string_view, BodyKind> bodies{{"sphere", BodyKind::kSphere},
+                                                           {"torus", BodyKind::kTorus},
+                                                           {"blobs", BodyKind::kBlobs},
+                                                           {"shell", BodyKind::kShell},
+                                                           {"cortex", BodyKind::kCortex}};
   if (name == "head")
     return {};
-  const auto found = kBodies.find(name);
-  if (found == kBodies.end())
+  const auto found = bodies.find(name);
+  if (found == bodies.end())
     throw UsageError("--shape: \"" + std::string(name) + "\" is not head, sphere, torus, blobs, shell or cortex");
   return found->second;
 }

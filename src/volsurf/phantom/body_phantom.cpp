@@ -193,8 +193,8 @@ Phantom make_body_phantom(BodyKind body, const PhantomOptions &options, const Pr
 int refinement_for(BodyKind body, const Grid &grid)
 {
   if (body != BodyKind::kCortex)
-    return 4;
-  constexpr double kStepMm = 0.4; // the bottom of a sulcus has a radius of 1.2 mm
+    return 3;
+  constexpr double kStepMm = 0.8; // the bottom of a sulcus has a radius of 1.2 mm
   const double largest = *std::max_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
   return std::max(2, static_cast<int>(std::ceil(largest / kStepMm)));
 }
