@@ -13,7 +13,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
 SOURCE_ENDINGS = {".h", ".hpp", ".cpp", ".cc"}
 
 BELOW_STAGES = {"core", "interop"}
-STAGES = {"io", "field", "topology", "surface", "phantom", "plot", "compare"}
+STAGES = {"io", "field", "topology", "surface", "phantom", "plot", "baseline", "compare"}
 # What the files of each folder may include from other folders of src/volsurf.
 ALLOWED_FOLDERS = {
     "core": set(),
@@ -27,10 +27,10 @@ ALLOWED_FOLDERS = {
 CORE_LIBRARY = re.compile(r"(core|topology|phantom)/|field/(?!median)|surface/(?!smoothing)")
 # Library, how its headers are named, the files that may include them, and how to say so.
 LIBRARIES = (
-    ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"io/|interop/itk_image|field/median"),
-     "io, interop/itk_image, field/median"),
-    ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io|compare)/|surface/smoothing"),
-     "interop, io, compare, surface/smoothing"),
+    ("ITK", re.compile(r"itk\w+\.h|gdcm\w*\.h"), re.compile(r"(io|baseline)/|interop/itk_image|field/median"),
+     "io, baseline, interop/itk_image, field/median"),
+    ("VTK", re.compile(r"vtk\w+\.h"), re.compile(r"(interop|io|compare|baseline)/|surface/smoothing"),
+     "interop, io, compare, baseline, surface/smoothing"),
     ("OpenVDB", re.compile(r"openvdb/"), re.compile(r"interop/"), "interop"),
     ("cairo", re.compile(r"cairo[\w-]*\.h"), re.compile(r"plot/"), "plot"),
     ("CLI11", re.compile(r"CLI/"), re.compile(r"apps/"), "apps"),

@@ -12,7 +12,8 @@ find_package(
   COMPONENTS CommonCore CommonDataModel FiltersCore IOGeometry IOPLY IOXML)
 find_package(
   ITK 5.2 REQUIRED
-  COMPONENTS ITKCommon ITKIOImageBase ITKIONRRD ITKIOMeta ITKIONIFTI ITKIOGDCM ITKImageGrid ITKSmoothing)
+  COMPONENTS ITKCommon ITKIOImageBase ITKIONRRD ITKIOMeta ITKIONIFTI ITKIOGDCM ITKImageGrid ITKSmoothing
+             ITKThresholding ITKWatersheds)
 
 # OpenVDB's own folder holds a FindTBB that would shadow TBB's configuration, so it is on the path only here.
 set(VOLSURF_OPENVDB_MODULES /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB)

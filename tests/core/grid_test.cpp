@@ -53,6 +53,16 @@ RC_GTEST_PROP(Grid, CellCentresLieHalfAVoxelIntoTheGrid, ())
   require_near(index_to_world(cells, {2, 0, 1}), index_to_world(grid, {2.5, 0.5, 1.5}), 1e-9);
 }
 
+RC_GTEST_PROP(Grid, VoxelCornersAreHalfAVoxelAroundTheSamples, ())
+{
+  Dice dice(*random_seed());
+  const Grid grid = any_grid(dice);
+  const Grid corners = voxel_corner_grid(grid);
+  RC_ASSERT(corners.cell_size() == grid.size);
+  require_near(index_to_world(corners, {2, 0, 1}), index_to_world(grid, {1.5, -0.5, 0.5}), 1e-9);
+  require_near(cell_centre_grid(corners).origin_mm, grid.origin_mm, 1e-9);
+}
+
 TEST(Grid, MirroringOneAxisMakesItLeftHanded)
 {
   Grid grid;

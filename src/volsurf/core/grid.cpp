@@ -88,4 +88,13 @@ Grid cell_centre_grid(const Grid &grid)
   return cells;
 }
 
+Grid voxel_corner_grid(const Grid &grid)
+{
+  Grid corners = grid;
+  for (std::int64_t &size : corners.size)
+    ++size;
+  corners.origin_mm = index_to_world(grid, {-0.5, -0.5, -0.5});
+  return corners;
+}
+
 } // namespace volsurf

@@ -45,4 +45,8 @@ double smallest_spacing_mm(const Grid &grid);
 /// The grid of the cells' centres: one sample less per axis, origin shifted by half a voxel.
 Grid cell_centre_grid(const Grid &grid);
 
+/// The grid of the corners of the voxels around the samples: one more per axis, origin half a voxel lower. Its cells
+/// are the voxels, and its cell_centre_grid() is the grid itself.
+Grid voxel_corner_grid(const Grid &grid);
+
 } // namespace volsurf

@@ -1,36 +1,17 @@
 #include "volsurf/interop/zero_surface.h"
 
+#include "volsurf/interop/vtk_image.h"
 #include "volsurf/interop/vtk_mesh.h"
 
 #include <utility>
-#include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 
 namespace volsurf {
 
-namespace {
-
-/// A view of the samples, at their indices; they must outlive it.
-vtkSmartPointer<vtkImageData> to_image(const Volume &volume)
-{
-  vtkNew<vtkFloatArray> samples;
-  // VTK takes pointers to what it does not change without const.
-  samples->SetArray(const_cast<float *>(volume.samples.data()), static_cast<vtkIdType>(volume.samples.size()), 1);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  const Index3 &size = volume.grid.size;
-  image->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]));
-  image->GetPointData()->SetScalars(samples);
-  return image;
-}
-
-} // namespace
-
 Mesh zero_surface(const Volume &volume)
 {
-  const auto image = to_image(volume);
+  const auto image = borrow_as_vtk_image(volume);
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(image);
   edges->SetValue(0, 0);

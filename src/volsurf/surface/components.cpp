@@ -4,6 +4,7 @@
 #include "volsurf/core/index_forest.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/surface/edge_walk.h"
+#include "volsurf/surface/rank_components.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,21 +139,6 @@ std::vector<std::int64_t> lowest_faces(const FaceSet &faces, const std::vector<C
   return lowest;
 }
 
-struct CountToKeep {
-  std::size_t components;
-
-  std::size_t operator()(const KeepAll &) const { return components; }
-  std::size_t operator()(const KeepCount &keep) const
-  {
-    return std::min(components, static_cast<std::size_t>(keep.count));
-  }
-  std::size_t operator()(const KeepPercent &keep) const
-  {
-    const double share = std::ceil(keep.percent * static_cast<double>(components) / 100.0);
-    return std::clamp<std::size_t>(static_cast<std::size_t>(share), 1, components);
-  }
-};
-
 } // namespace
 
 Keep parse_keep(const std::string &text)
@@ -194,23 +180,7 @@ Components find_components(const FaceSet &faces, const Grid &grid, const Compone
     break;
   }
   const auto lowest = lowest_faces(faces, of_face, count);
-  std::vector<ComponentId> order(count);
-  std::iota(order.begin(), order.end(), ComponentId{0});
-  std::sort(order.begin(), order.end(), [&](ComponentId a, ComponentId b) {
-    return size[a] != size[b] ? size[a] > size[b] : lowest[a] < lowest[b];
-  });
-
-  Components components;
-  std::vector<ComponentId> rank(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    rank[order[i]] = static_cast<ComponentId>(i + 1);
-    components.sizes.push_back(size[order[i]]);
-  }
-  for (ComponentId &component : of_face)
-    component = rank[component];
-  components.of_face = std::move(of_face);
-  components.kept = std::visit(CountToKeep{count}, options.keep);
-  return components;
+  return rank_components(std::move(of_face), size, lowest, options.keep);
 }
 
 KeptFaces keep_components(FaceSet faces, const Components &components)

@@ -22,9 +22,12 @@ double signed_volume_mm3(const Point &apex, const Mesh &mesh, const Triangle &t)
   return determinant({a, b, c}) / 6;
 }
 
+/// Nothing of an array that the mesh does not have.
 template <typename Value> std::vector<Value> values_at(const std::vector<Value> &values, const TriangleList &triangles)
 {
   std::vector<Value> result;
+  if (values.empty())
+    return result;
   result.reserve(triangles.size());
   for (const std::size_t triangle : triangles)
     result.push_back(values[triangle]);

@@ -15,7 +15,8 @@ std::vector<TriangleList> triangles_by_component(const Mesh &mesh, std::size_t c
 /// The signed volume of each component, in mm^3; has a meaning for closed ones only. O(triangles).
 std::vector<double> volumes_by_component_mm3(const Mesh &mesh, std::size_t components);
 
-/// A mesh of some triangles, as they are, with the points that they use, in the order of the mesh.
+/// A mesh of some triangles, as they are, with the points that they use and the arrays that there are, in the order of
+/// the mesh.
 Mesh take_triangles(const Mesh &mesh, const TriangleList &triangles);
 
 } // namespace volsurf
