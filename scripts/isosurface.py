@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The largest isosurface of a scan by VTK: what scripts/study.py sets beside volsurf.
+"""The largest parts of a scan's isosurface by VTK: what scripts/study.py sets beside volsurf.
 
 In:  a scan that volsurf-phantom wrote (.nrrd), and a level, or `otsu` for the one that parts its histogram best (Otsu,
      "A threshold selection method from gray-level histograms", IEEE Trans. SMC 9, 1979).
-Out: the largest connected part of the isosurface, closed where the scan's border cuts it, as .vtp in LPS. Exit code 4
+Out: the largest connected parts of the isosurface, closed where the scan's border cuts it, as .vtp in LPS. Exit code 4
      where there is none.
 """
 
@@ -56,8 +56,8 @@ def padded(image):
     return pad.GetOutput()
 
 
-def largest_isosurface(image, matrix, level):
-    """In the world, normals towards lower values."""
+def largest_isosurfaces(image, matrix, level, count):
+    """The parts with the most points, in the world."""
     surface = vtkFlyingEdges3D()
     surface.SetInputData(padded(image))
     surface.SetValue(0, level)
@@ -65,7 +65,13 @@ def largest_isosurface(image, matrix, level):
     surface.ComputeScalarsOff()
     largest = vtkPolyDataConnectivityFilter()
     largest.SetInputConnection(surface.GetOutputPort())
-    largest.SetExtractionModeToLargestRegion()
+    largest.SetExtractionModeToAllRegions()
+    largest.Update()
+    sizes = largest.GetRegionSizes()
+    parts = sorted(range(largest.GetNumberOfExtractedRegions()), key=sizes.GetValue, reverse=True)
+    largest.SetExtractionModeToSpecifiedRegions()
+    for part in parts[:count]:
+        largest.AddSpecifiedRegion(part)
     transform = vtkTransform()
     transform.SetMatrix(matrix)
     moved = vtkTransformPolyDataFilter()
@@ -92,11 +98,12 @@ def main(words):
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("scan")
     parser.add_argument("--level", required=True, help="an intensity, or otsu")
+    parser.add_argument("--keep", type=int, default=1, help="how many parts")
     parser.add_argument("-o", "--output", required=True)
     arguments = parser.parse_args(words)
     image, matrix = read_volume(arguments.scan)
     level = otsu_level(image) if arguments.level == "otsu" else float(arguments.level)
-    surface = largest_isosurface(image, matrix, level)
+    surface = largest_isosurfaces(image, matrix, level, arguments.keep)
     if surface.GetNumberOfCells() == 0:
         print(f"isosurface.py: there is no isosurface at {level:g}", file=sys.stderr)
         return 4

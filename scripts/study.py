@@ -193,7 +193,9 @@ def measure(programs, setting, method, parameter, scan, truth, samples):
     with tempfile.TemporaryDirectory(dir=scan.parent) as folder:
         surface, found = Path(folder) / "surface.vtp", Path(folder) / "found.json"
         words = [*method["options"], *parameter]
-        if "script" not in method:
+        if "script" in method:
+            words += setting.case.get("script_select", [])
+        else:
             words += [*setting.case.get("select", []), "--threads", 1, "-q"]
         started = time.perf_counter()
         process = programs.run(method.get("script", "volsurf"), scan, *words, "-o", surface)
@@ -243,7 +245,7 @@ def run_setting(programs, scans, setting, methods, samples):
 
 
 def run_all(programs, scans, settings, methods, samples, table):
-    """Two scans at a time. Each one's results are written when it is done, and returned in the order of the settings."""
+    """Two scans at a time. Each one's results are written when it is done; they return in the order of the settings."""
     done, lock = [0], threading.Lock()
     with open(table, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, [field.name for field in fields(Result)])
@@ -290,7 +292,8 @@ def draw(programs, scan, surfaces, folder):
             files.append(file)
             captions.append(surface["caption"])
     png = folder / "picture.png"
-    command = [REPOSITORY / "scripts" / "render.py", *files, "--png", png, "--size", "480", "440", "--captions", *captions]
+    script = REPOSITORY / "scripts" / "render.py"
+    command = [script, *files, "--png", png, "--size", "480x440", "--captions", *captions]
     if files and subprocess.run(list(map(str, command)), capture_output=True, check=False).returncode == 0:
         return png.read_bytes()
     return None
@@ -335,6 +338,13 @@ def main(words):
         pictures = draw_pictures(programs, scans, configuration, cases)
     finally:
         shutil.rmtree(work)
+    planned = len(list(settings_of(configuration)))
+    scans_measured = len({(result.case, result.noise, result.bias_field, result.seed) for result in results})
+    if scans_measured < planned:
+        notes.append(f"Only {scans_measured} of the {planned} scans of the configuration (cases, noise and seeds) were run.")
+    measured = {result.case for result in results}
+    notes += [f"{case['name']} is left out: no result" for case in cases if case["name"] not in measured]
+    configuration["cases"] = [case for case in cases if case["name"] in measured]
     study = study_page.Study(configuration, best_of_each(results), len(results), notes)
     (arguments.out / "index.html").write_text(study_page.html_page(study, pictures), encoding="utf-8")
     if arguments.markdown:
