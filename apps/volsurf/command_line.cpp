@@ -16,6 +16,7 @@ namespace {
 struct Texts : SharedTexts {
   std::string delta;
   std::optional<std::int64_t> regions;
+  std::string iso;
   std::string keep;
   std::vector<std::string> seeds;
   std::vector<std::string> region_numbers;
@@ -59,6 +60,58 @@ std::filesystem::path default_output(const std::filesystem::path &input)
   return name.replace_extension(".vtp");
 }
 
+void add_method_options(CLI::App &app, Settings &settings, Texts &texts)
+{
+  add_word_option<Method>(app, "--method", settings.method,
+                          {{"volsurf", Method::volsurf},
+                           {"threshold", Method::threshold},
+                           {"isosurface", Method::isosurface},
+                           {"marching-cubes", Method::marching_cubes},
+                           {"watershed", Method::watershed}},
+                          "volsurf, or to compare: threshold, isosurface, marching-cubes, watershed [volsurf]")
+      ->group("Method");
+  app.add_option("--iso", texts.iso, "Iso-value of the first three of these: a number, or otsu [otsu]")
+      ->group("Method");
+}
+
+/// Nothing for "otsu".
+std::optional<double> parse_iso(const std::string &text)
+{
+  if (text == "otsu")
+    return std::nullopt;
+  std::istringstream in(text);
+  double iso = 0;
+  std::string rest;
+  if (!(in >> iso) || (in >> rest))
+    throw UsageError("--iso: found \"" + text + "\"; allowed are otsu and finite numbers");
+  return iso;
+}
+
+/// Words that settings do not tell from defaults are refused here, the rest where the run begins.
+void refuse_given(const CLI::App &app, Method method, const std::vector<std::string> &options)
+{
+  for (const std::string &option : options)
+    if (app.count(option) > 0)
+      throw UsageError("--method " + method_text(method) + ": found " + option + ", which means nothing to it");
+}
+
+/// What usual methods have other defaults for.
+void finish_method(const CLI::App &app, Settings &settings)
+{
+  const Method method = settings.method;
+  refuse_given(app, method,
+               takes_iso_value(method) ? std::vector<std::string>{"--delta"} : std::vector<std::string>{"--iso"});
+  if (method == Method::volsurf)
+    return;
+  refuse_given(app, method, {"--paper"});
+  if (settings.snap)
+    refuse_given(app, method, {"--snap"});
+  settings.snap = false;
+  const bool wants_smoothing = app.count("--smooth") + app.count("--iterations") + app.count("--passband") > 0;
+  if (!finds_regions(method) && !wants_smoothing)
+    settings.smoothing.strength = 0;
+}
+
 void add_topology_options(CLI::App &app, Settings &settings, Texts &texts)
 {
   CLI::Option *const delta =
@@ -98,7 +151,8 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
 
 void add_finishing_options(CLI::App &app, Settings &settings)
 {
-  app.add_option("--smooth", settings.smoothing.strength, "Smoothing, 0 (none) to 1 [0.5]")->group("Finishing");
+  app.add_option("--smooth", settings.smoothing.strength, "Smoothing, 0 (none) to 1 [0.5; of an isosurface 0]")
+      ->group("Finishing");
   add_word_option<bool>(app, "--snap", settings.snap, {{"on", true}, {"off", false}},
                         "Move points to the edge between samples: on or off; needs smoothing [on]")
       ->group("Finishing");
@@ -144,6 +198,8 @@ void finish(const Texts &texts, CommandLine &line)
   Settings &settings = line.settings;
   if (!texts.delta.empty())
     settings.delta = parse_delta(texts.delta);
+  if (!texts.iso.empty())
+    settings.iso = parse_iso(texts.iso);
   if (texts.regions)
     settings.delta = DeltaRegions{*texts.regions};
   if (!texts.keep.empty())
@@ -176,6 +232,7 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
                "Exit codes: 0 done, 1 unexpected, 2 usage, 3 input, 4 nothing to write, 5 output, 130 interrupted.",
                "volsurf");
   app.add_option("INPUT", settings.input, "The scan")->required();
+  add_method_options(app, settings, texts);
   add_field_options(app, settings, texts);
   add_topology_options(app, settings, texts);
   add_selection_options(app, settings, texts);
@@ -191,6 +248,7 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
     return parsed;
   }
   finish(texts, parsed.command_line);
+  finish_method(app, settings);
   return parsed;
 }
 

@@ -13,6 +13,7 @@
 #include <atomic>
 #include <csignal>
 #include <iostream>
+#include <sstream>
 
 namespace {
 
@@ -56,6 +57,17 @@ void print_split(const volsurf::Report &report)
   }
 }
 
+/// Where the surface is.
+std::string place_text(const volsurf::Report &report)
+{
+  std::ostringstream out;
+  if (takes_iso_value(report.settings.method))
+    out << "at the iso-value " << *report.settings.iso;
+  else
+    out << "between " << report.regions << " regions at delta " << report.decision.delta;
+  return out.str();
+}
+
 void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
 {
   if (verbosity == volsurf::Verbosity::quiet)
@@ -66,16 +78,15 @@ void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
     return print_split(report);
   for (const auto &output : report.settings.outputs)
     std::cerr << one_line(output.string()) << ": " << report.mesh.triangles << " triangles in "
-              << report.components_kept << " of " << report.components << " components, between " << report.regions
-              << " regions at delta " << report.decision.delta << (report.mesh.watertight ? ", watertight" : "")
-              << '\n';
+              << report.components_kept << " of " << report.components << " components, " << place_text(report)
+              << (report.mesh.watertight ? ", watertight" : "") << '\n';
 }
 
-void print_expectation(const volsurf::Grid &grid, std::ostream &out)
+void print_expectation(const volsurf::Grid &grid, volsurf::Method method, std::ostream &out)
 {
   out << "volume      " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2] << " samples of "
       << grid.spacing_mm[0] << " x " << grid.spacing_mm[1] << " x " << grid.spacing_mm[2] << " mm\n"
-      << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(grid)) / 1e6
+      << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(grid, method)) / 1e6
       << " MB expected without the mesh\n";
 }
 
@@ -88,15 +99,23 @@ void print_advice(const volsurf::DeltaAdvice &advice)
               << " regions; little changes from " << candidate.low << " to " << candidate.high << '\n';
 }
 
-void print_details(const volsurf::Report &report)
+void print_merge(const volsurf::Report &report)
 {
   std::cerr << "field       " << report.pixel_type << " samples, sigma " << report.sigma_mm << " mm\n"
             << "merge       " << report.basins << " basins, largest persistence " << report.largest_persistence << '\n'
             << "delta       " << report.decision.delta << ", from " << delta_text(report.settings.delta) << '\n';
   if (report.decision.advice)
     print_advice(*report.decision.advice);
-  std::cerr << "regions     " << report.regions << ", the background is region " << report.background_region << '\n'
-            << "mesh        area " << report.mesh.area_mm2 << " mm2, volume " << report.mesh.volume_mm3 << " mm3, "
+  std::cerr << "regions     " << report.regions << ", the background is region " << report.background_region << '\n';
+}
+
+void print_details(const volsurf::Report &report)
+{
+  if (report.settings.method == volsurf::Method::volsurf)
+    print_merge(report);
+  else
+    std::cerr << "method      " << method_text(report.settings.method) << ", " << place_text(report) << '\n';
+  std::cerr << "mesh        area " << report.mesh.area_mm2 << " mm2, volume " << report.mesh.volume_mm3 << " mm3, "
             << report.mesh.open_edges << " open and " << report.mesh.non_manifold_edges << " non-manifold edges\n"
             << "smoothing   " << report.smoothing.iterations << " passes at pass band " << report.smoothing.pass_band
             << ", volume drift " << 100 * report.smoothing.volume_drift << " %\n";
@@ -129,7 +148,7 @@ int run_command(const volsurf::CommandLine &line)
     const auto announce = [&](const volsurf::Grid &grid) {
       bar.wipe();
       if (verbose)
-        print_expectation(grid, messages);
+        print_expectation(grid, line.settings.method, messages);
     };
     report = volsurf::run(line.settings, show, publish, announce);
   }

@@ -60,8 +60,10 @@ TEST_F(ReportSchema, AcceptsReportsOfEachKindOfRun)
         "h.volsurf",
         "--delta 15 --seed 35,0,30 --smooth 0", "--delta 15 --region 2 --region 3 --split regions --labels l.seg.nrrd",
         "--delta 5 --min-volume 2000 --split components -o a.vdb -o a.ply -o a.obj",
-        "--delta 5 --edge-map --threads 1 --smooth 1", "--delta 15 --median 2", "", "--regions 5",
-        "--delta 12.5% --keep 1"})
+        "--delta 5 --edge-map --threads 1 --smooth 1", "--delta 15 --median 2", "--method threshold --keep 1",
+        "--method isosurface --iso 40 --keep 1", "--method marching-cubes --smooth 1",
+        "--method watershed --delta 15 --surface hull", "--method watershed --delta 15 --edge-map --split components",
+        "", "--regions 5", "--delta 12.5% --keep 1"})
     reports.push_back(report(scan + " " + options));
   reports.push_back(report("h.volsurf --delta 20"));
   EXPECT_EQ(objections(reports), std::vector<std::string>(reports.size()));

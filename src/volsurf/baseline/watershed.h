@@ -9,10 +9,11 @@
 
 namespace volsurf {
 
-/// The catchment basins of `edge_strength`, its minima less deep than `level` filled up before: labels 1 .. n on the
-/// samples, connected over 26 neighbours, without lines between them. There are as many of them as regions at
-/// delta = level (docs/method.md T2), but each sample belongs to one, where volsurf's regions consist of cells. One
-/// thread; O(samples log samples), 30 and more bytes per sample. Throws Cancelled.
+/// The catchment basins of `edge_strength`, after its minima that are at most `level` deep have been filled up: labels
+/// 1 .. n on the samples, connected over 26 neighbours, without lines between them. There are as many of them as
+/// regions at delta = level, unless a persistence is just that (docs/method.md T2); but a region here consists of
+/// samples, in volsurf of cells. One thread; O(samples log samples), 120 bytes per sample and, of noise, up to 440.
+/// Throws Cancelled.
 LabelVolume morphological_watershed(const Volume &edge_strength, double level, const Progress &progress = {});
 
 } // namespace volsurf

@@ -21,6 +21,9 @@ public:
   /// Otherwise the volume is blurred here, which takes 4 bytes per sample.
   Finisher(const Volume &volume, double sigma_mm, const Settings &settings);
 
+  /// Smooths only. Keeps references to both; `grid` is that of the cells' corners.
+  Finisher(const Grid &grid, const Settings &settings) : grid_(grid), settings_(settings) {}
+
   /// Throws as smooth_mesh().
   Finishing finish(Mesh &mesh) const;
 

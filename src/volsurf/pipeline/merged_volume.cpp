@@ -14,7 +14,7 @@ namespace {
 /// A run that would swap or be killed is better refused before it begins.
 void require_memory(const Settings &settings, const Grid &grid)
 {
-  const std::uint64_t needed = expected_memory_bytes(grid);
+  const std::uint64_t needed = expected_memory_bytes(grid, settings.method);
   const std::uint64_t allowed = settings.max_memory_bytes.value_or(available_memory_bytes());
   if (needed <= allowed)
     return;
@@ -55,13 +55,21 @@ void require_options_of(const MergedVolume &merged, const Settings &settings)
 
 } // namespace
 
-std::uint64_t expected_memory_bytes(const Grid &grid)
+Grid corner_grid(const MergedVolume &merged)
 {
-  constexpr double kBytesPerSample = 4 + 12; // float32 samples; labels, saddles, basins and faces
+  const Grid &grid = merged.input.volume.grid;
+  return merged.cells_are_voxels ? voxel_corner_grid(grid) : grid;
+}
+
+std::uint64_t expected_memory_bytes(const Grid &grid, Method method)
+{
+  constexpr double kBytesPerSample = 4 + 12;      // float32 samples; labels, saddles, basins and faces
+  constexpr double kFloodingBytesPerSample = 440; // of noise; a quarter of it without
   constexpr double kProgramBytes = 8e7;
+  const double per_sample = kBytesPerSample + (method == Method::watershed ? kFloodingBytesPerSample : 0);
   const double samples =
       static_cast<double>(grid.size[0]) * static_cast<double>(grid.size[1]) * static_cast<double>(grid.size[2]);
-  return static_cast<std::uint64_t>(kProgramBytes + kBytesPerSample * samples);
+  return static_cast<std::uint64_t>(kProgramBytes + per_sample * samples);
 }
 
 MergedVolume read_input(const Settings &settings, const Progress &progress,

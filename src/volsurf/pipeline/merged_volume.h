@@ -19,12 +19,16 @@ struct MergedVolume {
   Exterior exterior = Exterior::none;    ///< likewise
   std::int64_t non_finite_gradients = 0; ///< samples that were taken as walls
   RegionMerge merge;                     ///< empty where the volume has been read only
+  bool cells_are_voxels = false;         ///< those around the samples; else the cubes between them
 
   bool is_merged() const { return merge.hierarchy.basin_count() > 0; }
 };
 
+/// The grid of the cells' corners.
+Grid corner_grid(const MergedVolume &merged);
+
 /// The memory that a run on such a grid is expected to take at most, meshes excepted: the samples and the merge.
-std::uint64_t expected_memory_bytes(const Grid &grid);
+std::uint64_t expected_memory_bytes(const Grid &grid, Method method = Method::volsurf);
 
 /// The name of the scan, without its folder.
 std::string source_name(const MergedVolume &merged);

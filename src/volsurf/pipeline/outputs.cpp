@@ -16,7 +16,7 @@ namespace {
 
 LabelVolume region_labels(const Results &results)
 {
-  const Grid &grid = results.merged.input.volume.grid;
+  const Grid grid = corner_grid(results.merged);
   LabelVolume labels{cell_centre_grid(grid), std::vector<std::uint32_t>(static_cast<std::size_t>(grid.cell_count()))};
   const auto &basins = results.merged.merge.cells.basins;
   std::transform(basins.begin(), basins.end(), labels.labels.begin(),

@@ -35,12 +35,17 @@ Json options_json(const Report &report)
   Json outputs = Json::array();
   for (const auto &output : settings.outputs)
     outputs.push_back(output.string());
+  const bool is_volsurf = settings.method == Method::volsurf;
+  const bool by_iso_value = takes_iso_value(settings.method);
+  const std::string exterior = settings.exterior == Exterior::infinite ? "infinite" : "none";
   Json options{{"command_line", describe(settings, report.decision.delta)},
-               {"delta", report.decision.delta},
+               {"method", method_text(settings.method)},
+               {"delta", by_iso_value ? Json(nullptr) : Json(report.decision.delta)},
+               {"iso", by_iso_value ? Json(settings.iso.value_or(0)) : Json(nullptr)},
                {"median_voxels", settings.median_voxels.value_or(0)},
-               {"sigma_mm", report.sigma_mm},
+               {"sigma_mm", by_iso_value ? Json(nullptr) : Json(report.sigma_mm)},
                {"edge_map", settings.field.edge_map},
-               {"exterior", settings.exterior == Exterior::infinite ? "infinite" : "none"},
+               {"exterior", is_volsurf ? Json(exterior) : Json(nullptr)},
                {"surface", settings.surface == SurfaceKind::hull ? "hull" : "all"},
                {"seeds_mm", settings.seeds_mm},
                {"region_numbers", settings.region_numbers},
@@ -48,7 +53,7 @@ Json options_json(const Report &report)
                {"keep", keep_text(settings.components.keep)},
                {"rank_by", rank_by_text(settings.components.rank_by)},
                {"smooth", settings.smoothing.strength},
-               {"snap", settings.snap},
+               {"snap", is_volsurf && settings.snap},
                {"iterations", report.smoothing.iterations},
                {"passband", report.smoothing.pass_band},
                {"frame", frame_name(settings.frame)},
@@ -64,6 +69,8 @@ Json options_json(const Report &report)
 
 Json delta_choice_json(const Report &report)
 {
+  if (report.settings.method != Method::volsurf)
+    return nullptr;
   Json noise = nullptr;
   Json candidates = Json::array();
   if (const auto &advice = report.decision.advice) {
@@ -145,6 +152,8 @@ Json mesh_json(const Report &report)
 
 std::string to_json(const Report &report)
 {
+  const bool is_volsurf = report.settings.method == Method::volsurf;
+  const bool has_regions = finds_regions(report.settings.method);
   Json seconds = Json::object();
   for (const auto &[stage, duration] : report.seconds)
     seconds[stage] = duration;
@@ -161,15 +170,15 @@ std::string to_json(const Report &report)
                    {{"samples", report.grid.sample_count()},
                     {"cells", report.grid.cell_count()},
                     {"non_finite_gradients", report.non_finite_gradients},
-                    {"basins", report.basins},
-                    {"regions", report.regions},
+                    {"basins", is_volsurf ? Json(report.basins) : Json(nullptr)},
+                    {"regions", has_regions ? Json(report.regions) : Json(nullptr)},
                     {"boundary_faces", report.boundary_faces},
                     {"components", report.components},
                     {"components_kept", report.components_kept},
                     {"components_dropped", report.components - report.components_kept}}},
                   {"delta_choice", delta_choice_json(report)},
-                  {"largest_persistence", report.largest_persistence},
-                  {"background_region", report.background_region},
+                  {"largest_persistence", is_volsurf ? Json(report.largest_persistence) : Json(nullptr)},
+                  {"background_region", has_regions ? Json(report.background_region) : Json(nullptr)},
                   {"strongest_regions", regions_json(report)},
                   {"component_sizes", report.component_sizes},
                   {"surfaces", surfaces_json(report)},

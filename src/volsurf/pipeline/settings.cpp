@@ -14,6 +14,26 @@ struct KeepText {
   void operator()(const KeepPercent &keep) const { out << keep.percent << '%'; }
 };
 
+/// What decides where a surface can be: the method and the options of its own.
+void describe_method(const Settings &settings, double delta, std::ostream &out)
+{
+  const bool by_iso_value = takes_iso_value(settings.method);
+  if (settings.method != Method::volsurf)
+    out << "--method " << method_text(settings.method) << ' ';
+  if (by_iso_value)
+    out << "--iso " << settings.iso.value_or(0);
+  else
+    out << delta_text(DeltaValue{delta});
+  if (settings.median_voxels.value_or(0) > 0)
+    out << " --median " << *settings.median_voxels;
+  if (!by_iso_value && settings.field.edge_map)
+    out << " --edge-map";
+  else if (!by_iso_value && settings.field.sigma_mm)
+    out << " --sigma " << *settings.field.sigma_mm;
+  if (settings.method == Method::volsurf)
+    out << " --exterior " << (settings.exterior == Exterior::infinite ? "infinite" : "none");
+}
+
 } // namespace
 
 std::string keep_text(const Keep &keep)
@@ -54,14 +74,7 @@ std::string describe(const Settings &settings, double delta)
 {
   std::ostringstream out;
   out.precision(9);
-  out << delta_text(DeltaValue{delta});
-  if (settings.median_voxels.value_or(0) > 0)
-    out << " --median " << *settings.median_voxels;
-  if (settings.field.edge_map)
-    out << " --edge-map";
-  else if (settings.field.sigma_mm)
-    out << " --sigma " << *settings.field.sigma_mm;
-  out << " --exterior " << (settings.exterior == Exterior::infinite ? "infinite" : "none");
+  describe_method(settings, delta, out);
   if (settings.surface == SurfaceKind::hull)
     out << " --surface hull";
   for (const Vec3 &seed : settings.seeds_mm)
@@ -73,7 +86,8 @@ std::string describe(const Settings &settings, double delta)
   out << " --keep " << keep_text(settings.components.keep) << " --rank-by "
       << rank_by_text(settings.components.rank_by);
   out << " --smooth " << settings.smoothing.strength;
-  out << " --snap " << (settings.snap ? "on" : "off");
+  if (settings.method == Method::volsurf)
+    out << " --snap " << (settings.snap ? "on" : "off");
   if (settings.smoothing.iterations)
     out << " --iterations " << *settings.smoothing.iterations;
   if (settings.smoothing.pass_band)

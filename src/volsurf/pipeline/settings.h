@@ -3,6 +3,7 @@
 
 #include "volsurf/field/gradient.h"
 #include "volsurf/interop/frame.h"
+#include "volsurf/pipeline/method.h"
 #include "volsurf/surface/components.h"
 #include "volsurf/surface/smoothing.h"
 #include "volsurf/topology/cubical_complex.h"
@@ -32,6 +33,8 @@ struct Settings {
   std::string series_uid; ///< of a DICOM folder with several series
 
   std::optional<int> median_voxels; ///< radius of the median filter; not set: none, or what a hierarchy was made with
+  Method method = Method::volsurf;
+  std::optional<double> iso; ///< where the method takes an iso-value; not set: Otsu's
   FieldOptions field;
   DeltaChoice delta = AutomaticDelta{}; ///< the persistence that a boundary must reach, in intensity per mm
   std::optional<Exterior> exterior;     ///< not set: none, or what a stored hierarchy was made with

@@ -1,29 +1,19 @@
 // From the regions to the surfaces: boundary, components, surface, smoothing, check, file.
 #pragma once
 
-#include "volsurf/core/progress.h"
-#include "volsurf/core/timer.h"
-#include "volsurf/pipeline/outputs.h"
 #include "volsurf/pipeline/selection.h"
+#include "volsurf/pipeline/surface_writer.h"
 
 namespace volsurf {
 
 /// A volume, merged and cut at one delta.
 struct CutVolume {
   const Volume &volume;
-  double sigma_mm; ///< of its gradient
+  const Grid &corners; ///< of the cells
+  double sigma_mm;     ///< of its gradient
   const RegionMerge &merge;
   const Regions &regions;
   RegionId background;
-};
-
-/// What the stages leave behind them.
-struct SurfaceSink {
-  Outputs &outputs;
-  Report &report;
-  StageTimer &timer;
-  const Progress &progress;
-  const Provenance &provenance;
 };
 
 /// Makes the surfaces that the selection asks for and writes them, each as soon as it is complete: one, one per kept

@@ -42,6 +42,8 @@ bool near(double a, double b)
 std::vector<CapPoint> find_cap_points(const Mesh &mesh, const Grid &grid)
 {
   std::vector<CapPoint> cap_points;
+  if (mesh.cap.empty())
+    return cap_points;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.cap[t] == 0)
       continue;

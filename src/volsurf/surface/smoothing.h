@@ -36,8 +36,8 @@ constexpr double kLargestVolumeDrift = 0.05;
 void check_smoothing(const SmoothingOptions &options);
 
 /// Moves the points of `mesh`. Points where three or four faces meet at an edge move along that curve only, its ends
-/// stay; points of caps stay in the border planes of `grid`. Throws UsageError for options out of range, Error where
-/// the filter gives points that are not finite. O(iterations * points).
+/// stay; points of caps stay in the border planes of `grid`, where the mesh tells its caps. Throws UsageError for
+/// options out of range, Error where the filter gives points that are not finite. O(iterations * points).
 SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions &options);
 
 } // namespace volsurf
