@@ -32,18 +32,19 @@ protected:
 
   void expect_refused_by(const std::string &method, const std::vector<std::string> &options) const
   {
+    const std::string run = ball() + " --method " + method + " ";
     for (const std::string &option : options)
-      expect_refused(ball() + " --method " + method + " " + option, 2,
+      expect_refused(run + option, 2,
                      {"--method " + method + ": found " + option.substr(0, option.find(' ')), "means nothing"});
   }
 
   /// The same bytes of all outputs for any number of threads.
   void expect_same_bytes(const std::string &options) const
   {
-    const std::string scan = head(32);
+    const std::string job = head(32) + " -o a.vtp -o a.stl -o a.obj " + options;
     std::string first;
-    for (const std::string threads : {"1", "3"}) {
-      const Outcome outcome = run(scan + " --threads " + threads + " -o a.vtp -o a.stl -o a.obj " + options);
+    for (const std::string threads : {" --threads 1", " --threads 3"}) {
+      const Outcome outcome = run(job + threads);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       std::string all;
       for (const std::string &name : files())
@@ -89,10 +90,10 @@ TEST_F(UsualMethod, OfAThresholdHasTheVoxelsThatAreAtLeastTheIsoValue)
 
 TEST_F(UsualMethod, OfAWatershedHasAsManyRegionsAsVolsurf)
 {
-  const std::string scan = head(32);
+  const std::string scan = head(32) + " ";
   for (const std::string options : {"--delta 5", "--delta 12", "--delta 10 --sigma 0", "--delta 12.5 --edge-map"})
-    EXPECT_EQ(report(scan + " --method watershed " + options)["counts"]["regions"],
-              report(scan + " " + options)["counts"]["regions"])
+    EXPECT_EQ(report(scan + options + " --method watershed")["counts"]["regions"],
+              report(scan + options)["counts"]["regions"])
         << options;
 }
 
@@ -170,10 +171,12 @@ TEST_F(UsualMethod, RefusesWordsAndNumbersOutOfRange)
 
 TEST_F(UsualMethod, SaysWhereThereIsNoSurface)
 {
-  for (const std::string method : {"threshold", "isosurface", "marching-cubes"})
+  for (const std::string method : {"threshold", "isosurface", "marching-cubes"}) {
+    const std::string run = ball() + " --method " + method + " --iso=";
     for (const std::string iso : {"-5", "500"})
-      expect_refused(ball() + " --method " + method + " --iso=" + iso, 4,
+      expect_refused(run + iso, 4,
                      {"ball.nrrd: --method " + method + " finds no surface", "from 0 to 100", "iso-value is " + iso});
+  }
   expect_refused(ball() + " --method watershed --delta 1e6", 4, {"finds no surface", "one region at --delta 1000000"});
 }
 
