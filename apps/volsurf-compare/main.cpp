@@ -1,4 +1,6 @@
 // volsurf-compare: how far two surfaces or label volumes are from each other.
+#include "program/program.h"
+
 #include "volsurf/core/error.h"
 #include "volsurf/pipeline/compare_files.h"
 #include "volsurf/pipeline/comparison_report.h"
@@ -7,34 +9,15 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <iostream>
-#include <new>
 #include <string_view>
 
 namespace {
 
 using namespace volsurf;
 
-enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kInput = 3, kOutputOrRequirement = 5, kInterrupted = 130 };
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void note_interrupt(int)
-{
-  interrupted = true;
-}
-
-/// A signal that the caller ignores, as nohup does, stays ignored.
-void catch_signals()
-{
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, note_interrupt) == SIG_IGN)
-      std::signal(signal, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing, like a full disk
-}
+constexpr const char *kProgram = "volsurf-compare";
 
 /// What CLI11 fills in.
 struct Arguments {
@@ -103,38 +86,6 @@ void finish(const CLI::App &app, Arguments &arguments)
     settings.requirements.push_back(parse_requirement(text));
 }
 
-/// CLI11 takes an empty text for no value where an option has a default.
-void refuse_empty_values(CLI::App &app)
-{
-  const auto check = [](const std::string &text) {
-    return text.empty() ? std::string("found \"\"; allowed are values of one or more characters") : std::string();
-  };
-  for (CLI::Option *option : app.get_options())
-    if (option->get_items_expected_max() > 0)
-      option->check(check, "");
-}
-
-/// File names may hold line breaks, a message has none.
-std::string one_line(std::string text)
-{
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
-}
-
-int fail(const std::string &message, ExitCode code)
-{
-  std::cerr << "volsurf-compare: " << one_line(message) << '\n';
-  return code;
-}
-
-void print(const std::string &text)
-{
-  std::cout << text << std::flush;
-  if (!std::cout)
-    throw OutputError("standard output: cannot be written to (closed, or on a full disk)");
-}
-
 void publish(const ComparedFiles &files, const Arguments &arguments)
 {
   if (arguments.json == "-")
@@ -145,7 +96,7 @@ void publish(const ComparedFiles &files, const Arguments &arguments)
 
 int run(const Arguments &arguments)
 {
-  const auto carry_on = [](std::string_view, double) { return !interrupted; };
+  const auto carry_on = [](std::string_view, double) { return !was_interrupted(); };
   const ComparedFiles files =
       compare_files(arguments.settings, carry_on, [&](const ComparedFiles &found) { publish(found, arguments); });
   if (!arguments.quiet)
@@ -155,7 +106,7 @@ int run(const Arguments &arguments)
   int code = kDone;
   for (const Requirement &requirement : arguments.settings.requirements)
     if (!is_met(requirement, files.comparison))
-      code = fail(failure_text(requirement, files.comparison), kOutputOrRequirement);
+      code = fail(kProgram, kOutput, failure_text(requirement, files.comparison));
   return code;
 }
 
@@ -164,7 +115,7 @@ int print_early_exit(const CLI::App &app, const CLI::ParseError &error)
   std::ostringstream out;
   std::ostringstream err;
   if (app.exit(error, out, err) != 0)
-    return fail(std::string(error.what()) + " (see volsurf-compare --help)", kUsage);
+    return fail(kProgram, kUsage, std::string(error.what()) + " (see volsurf-compare --help)");
   print(out.str());
   return kDone;
 }
@@ -180,24 +131,15 @@ int main(int argc, char **argv)
   Arguments arguments;
   add_options(app, arguments);
   refuse_empty_values(app);
-  catch_signals();
+  catch_interrupts();
+  ignore_closed_pipes();
   try {
     app.parse(argc, argv);
     finish(app, arguments);
     return run(arguments);
   } catch (const CLI::ParseError &error) {
     return print_early_exit(app, error);
-  } catch (const UsageError &error) {
-    return fail(error.what(), kUsage);
-  } catch (const InputError &error) {
-    return fail(error.what(), kInput);
-  } catch (const OutputError &error) {
-    return fail(error.what(), kOutputOrRequirement);
-  } catch (const Cancelled &error) {
-    return fail(error.what(), kInterrupted);
-  } catch (const std::bad_alloc &) {
-    return fail("out of memory", kUnexpected);
-  } catch (const std::exception &error) {
-    return fail(error.what(), kUnexpected);
+  } catch (...) {
+    return fail_of_exception(kProgram);
   }
 }

@@ -1,5 +1,7 @@
 // volsurf-phantom: writes a synthetic T1-weighted head, or a single body, with its truth as labels and as a surface; or
 // a given scan with noise added.
+#include "program/program.h"
+
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/field/gaussian_blur.h"
@@ -15,8 +17,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <iostream>
 #include <map>
 #include <new>
@@ -28,26 +28,11 @@ namespace {
 
 using namespace volsurf;
 
-enum ExitCode { kDone = 0, kUnexpected = 1, kUsage = 2, kInput = 3, kOutput = 5, kInterrupted = 130 };
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void note_interrupt(int)
-{
-  interrupted = true;
-}
-
-/// A signal that the caller ignores, as nohup does, stays ignored.
-void catch_signals()
-{
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, note_interrupt) == SIG_IGN)
-      std::signal(signal, SIG_IGN);
-}
+constexpr const char *kProgram = "volsurf-phantom";
 
 bool carry_on(std::string_view /*stage*/, double /*fraction*/)
 {
-  return !interrupted;
+  return !was_interrupted();
 }
 
 struct Arguments {
@@ -292,12 +277,6 @@ void run(const Arguments &arguments)
   outputs.scan.commit();
 }
 
-int fail(const std::exception &error, ExitCode code)
-{
-  std::cerr << "volsurf-phantom: " << error.what() << '\n';
-  return code;
-}
-
 } // namespace
 
 int main(int argc, char **argv)
@@ -306,24 +285,16 @@ int main(int argc, char **argv)
                "volsurf-phantom");
   Arguments arguments;
   add_options(app, arguments);
-  catch_signals();
+  catch_interrupts();
   try {
     app.parse(argc, argv);
     run(arguments);
     return kDone;
   } catch (const CLI::ParseError &error) {
     return app.exit(error) == 0 ? kDone : kUsage;
-  } catch (const UsageError &error) {
-    return fail(error, kUsage);
-  } catch (const InputError &error) {
-    return fail(error, kInput);
-  } catch (const OutputError &error) {
-    return fail(error, kOutput);
-  } catch (const Cancelled &error) {
-    return fail(error, kInterrupted);
   } catch (const std::bad_alloc &) {
-    return fail(std::runtime_error("not enough memory for a volume of this size"), kUnexpected);
-  } catch (const std::exception &error) {
-    return fail(error, kUnexpected);
+    return fail(kProgram, kUnexpected, "not enough memory for a volume of this size");
+  } catch (...) {
+    return fail_of_exception(kProgram);
   }
 }

@@ -240,13 +240,9 @@ ParsedCommandLine parse_command_line(int argc, const char *const *argv)
   add_output_options(app, settings, texts);
   add_general_options(app, settings, texts);
   add_config_option(app);
-  refuse_empty_values(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError &error) {
-    parsed.early_exit = early_exit_of(app, error);
+  parsed.early_exit = parse_arguments(app, argc, argv);
+  if (parsed.early_exit)
     return parsed;
-  }
   finish(texts, parsed.command_line);
   finish_method(app, settings);
   return parsed;

@@ -1,6 +1,6 @@
 #include "explore_command.h"
 
-#include "messages.h"
+#include "program/program.h"
 #include "progress_bar.h"
 
 #include "volsurf/views/text.h"
@@ -33,7 +33,7 @@ void print_details(const Exploration &exploration)
 
 } // namespace
 
-int run_explore_command(const ExploreCommandLine &line, const std::atomic<bool> &interrupted)
+int run_explore_command(const ExploreCommandLine &line)
 {
   views::ExplorationOutputs outputs(line.files, line.settings.input);
   Exploration exploration;
@@ -41,7 +41,7 @@ int run_explore_command(const ExploreCommandLine &line, const std::atomic<bool> 
     ProgressBar bar(line.verbosity != Verbosity::quiet);
     exploration = explore(line.settings, [&](std::string_view stage, double fraction) {
       bar.show(stage, fraction);
-      return !interrupted;
+      return !was_interrupted();
     });
   }
   outputs.write(exploration);

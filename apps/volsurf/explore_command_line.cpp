@@ -38,13 +38,9 @@ ParsedExploreCommandLine parse_explore_command_line(int argc, const char *const 
   add_exterior_option(app, line.settings);
   add_output_options(app, line);
   add_general_options(app, line.settings, texts);
-  refuse_empty_values(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError &error) {
-    parsed.early_exit = early_exit_of(app, error);
+  parsed.early_exit = parse_arguments(app, argc, argv);
+  if (parsed.early_exit)
     return parsed;
-  }
   finish_shared(texts, line.settings);
   line.verbosity = verbosity_of(texts);
   return parsed;

@@ -3,15 +3,13 @@
 #include "command_line.h"
 #include "explore_command.h"
 #include "explore_command_line.h"
-#include "messages.h"
+#include "program/program.h"
 #include "progress_bar.h"
 
 #include "volsurf/pipeline/merged_volume.h"
 #include "volsurf/pipeline/run.h"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <iostream>
 #include <sstream>
 
@@ -19,28 +17,6 @@ namespace {
 
 using volsurf::one_line;
 using volsurf::print;
-
-std::atomic<bool> interrupted{false};
-
-extern "C" void note_interrupt(int)
-{
-  interrupted = true;
-}
-
-/// What the caller has turned off, as nohup does with SIGHUP, stays off.
-void catch_interrupts()
-{
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (std::signal(signal, note_interrupt) == SIG_IGN)
-      std::signal(signal, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error of writing, like a full disk
-}
-
-int fail(int code, const std::string &message)
-{
-  std::cerr << "volsurf: " << one_line(message) << '\n';
-  return code;
-}
 
 /// A line for each format.
 void print_split(const volsurf::Report &report)
@@ -137,7 +113,7 @@ int run_command(const volsurf::CommandLine &line)
     volsurf::ProgressBar bar(line.verbosity != volsurf::Verbosity::quiet);
     const auto show = [&](std::string_view stage, double fraction) {
       bar.show(stage, fraction);
-      return !interrupted;
+      return !volsurf::was_interrupted();
     };
     const auto publish = [&](const volsurf::Report &complete) {
       bar.wipe();
@@ -160,8 +136,8 @@ int run_command(const volsurf::CommandLine &line)
 
 int exit_early(const volsurf::EarlyExit &early_exit)
 {
-  if (early_exit.code != 0)
-    return fail(early_exit.code, early_exit.text);
+  if (early_exit.code != volsurf::kDone)
+    return volsurf::fail("volsurf", early_exit.code, early_exit.text);
   print(early_exit.text);
   return 0;
 }
@@ -175,32 +151,20 @@ int extract_surfaces(int argc, const char *const *argv)
 int explore_scan(int argc, const char *const *argv)
 {
   const auto parsed = volsurf::parse_explore_command_line(argc, argv);
-  return parsed.early_exit ? exit_early(*parsed.early_exit)
-                           : volsurf::run_explore_command(parsed.command_line, interrupted);
+  return parsed.early_exit ? exit_early(*parsed.early_exit) : volsurf::run_explore_command(parsed.command_line);
 }
 
 } // namespace
 
 int main(int argc, char **argv)
 {
-  catch_interrupts();
+  volsurf::catch_interrupts();
+  volsurf::ignore_closed_pipes();
   try {
     if (volsurf::is_explore_command(argc, argv))
       return explore_scan(argc - 1, argv + 1);
     return extract_surfaces(argc, argv);
-  } catch (const volsurf::UsageError &error) {
-    return fail(2, error.what());
-  } catch (const volsurf::InputError &error) {
-    return fail(3, error.what());
-  } catch (const volsurf::EmptyResult &error) {
-    return fail(4, error.what());
-  } catch (const volsurf::OutputError &error) {
-    return fail(5, error.what());
-  } catch (const volsurf::Cancelled &error) {
-    return fail(130, error.what());
-  } catch (const std::bad_alloc &) {
-    return fail(1, "out of memory");
-  } catch (const std::exception &error) {
-    return fail(1, error.what());
+  } catch (...) {
+    return volsurf::fail_of_exception("volsurf");
   }
 }

@@ -1,6 +1,8 @@
 // What both commands of volsurf say of themselves.
 #pragma once
 
+#include "program/program.h"
+
 #include <string>
 
 namespace volsurf {
@@ -9,7 +11,7 @@ enum class Verbosity { quiet, normal, verbose };
 
 /// Something to print and the code to exit with, for --help, --version and errors of usage.
 struct EarlyExit {
-  int code;
+  ExitCode code;
   std::string text;
 };
 

@@ -6,6 +6,23 @@
 
 namespace volsurf {
 
+namespace {
+
+EarlyExit early_exit_of(const CLI::App &app, const CLI::ParseError &error)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  const int code = app.exit(error, out, err);
+  if (code == 0)
+    return {kDone, out.str()};
+  if (dynamic_cast<const CLI::ConfigError *>(&error) != nullptr)
+    return {kUsage, "--config " + app.get_config_ptr()->as<std::string>() +
+                        ": a line is not one of the options (see volsurf --help): " + error.what()};
+  return {kUsage, std::string(error.what()) + " (see " + app.get_name() + " --help)"};
+}
+
+} // namespace
+
 void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
 {
   app.add_option("--median", settings.median_voxels,
@@ -50,16 +67,6 @@ void add_general_options(CLI::App &app, Settings &settings, SharedTexts &texts)
   app.set_version_flag("--version", version_text())->group("General");
 }
 
-void refuse_empty_values(CLI::App &app)
-{
-  const auto check = [](const std::string &text) {
-    return text.empty() ? std::string("found \"\"; allowed are values of one or more characters") : std::string();
-  };
-  for (CLI::Option *option : app.get_options())
-    if (option->get_items_expected_max() > 0)
-      option->check(check, "");
-}
-
 void finish_shared(const SharedTexts &texts, Settings &settings)
 {
   if (!texts.paper)
@@ -74,17 +81,15 @@ Verbosity verbosity_of(const SharedTexts &texts)
   return texts.quiet ? Verbosity::quiet : texts.verbose ? Verbosity::verbose : Verbosity::normal;
 }
 
-EarlyExit early_exit_of(const CLI::App &app, const CLI::ParseError &error)
+std::optional<EarlyExit> parse_arguments(CLI::App &app, int argc, const char *const *argv)
 {
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = app.exit(error, out, err);
-  if (code == 0)
-    return {0, out.str()};
-  if (dynamic_cast<const CLI::ConfigError *>(&error) != nullptr)
-    return {2, "--config " + app.get_config_ptr()->as<std::string>() +
-                   ": a line is not one of the options (see volsurf --help): " + error.what()};
-  return {2, std::string(error.what()) + " (see " + app.get_name() + " --help)"};
+  refuse_empty_values(app);
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError &error) {
+    return early_exit_of(app, error);
+  }
 }
 
 } // namespace volsurf

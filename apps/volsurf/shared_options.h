@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace volsurf {
@@ -46,12 +47,10 @@ void add_exterior_option(CLI::App &app, Settings &settings);
 
 void add_general_options(CLI::App &app, Settings &settings, SharedTexts &texts);
 
-/// CLI11 takes an empty text for no value where an option has a default.
-void refuse_empty_values(CLI::App &app);
-
 void finish_shared(const SharedTexts &texts, Settings &settings);
 Verbosity verbosity_of(const SharedTexts &texts);
 
-EarlyExit early_exit_of(const CLI::App &app, const CLI::ParseError &error);
+/// Reads the arguments, where no option may be an empty text. Nothing where the command can go on.
+std::optional<EarlyExit> parse_arguments(CLI::App &app, int argc, const char *const *argv);
 
 } // namespace volsurf

@@ -3,7 +3,7 @@
 #include "volsurf/compare/nearest_surface.h"
 #include "volsurf/compare/tidy_mesh.h"
 #include "volsurf/compare/triangle_tree.h"
-#include "volsurf/compare/vector.h"
+#include "volsurf/core/vec3.h"
 #include "volsurf/interop/vtk_mesh.h"
 
 #include <gtest/gtest.h>

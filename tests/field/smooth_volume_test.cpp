@@ -79,8 +79,8 @@ TEST(SmoothVolume, SecondDerivativesAreThoseOfTheGradient)
       Vec3 high = place;
       low[axis] -= kStep;
       high[axis] += kStep;
-      const Vec3 before = smooth.gradient_at(low);
-      const Vec3 after = smooth.gradient_at(high);
+      const Vec3 before = smooth.derivatives_at(low).gradient;
+      const Vec3 after = smooth.derivatives_at(high).gradient;
       for (int component = 0; component < 3; ++component)
         EXPECT_NEAR((after[component] - before[component]) / (2 * kStep * kSpacing[axis]), hessian[axis][component],
                     0.01);
@@ -96,7 +96,8 @@ TEST(SmoothVolume, ItsGradientIsTheFieldsAtTheSamples)
   const Volume magnitude = gradient_magnitude(EdgeField(volume, {sigma, false}), volume.grid);
   for (const Index3 &p : {Index3{10, 11, 9}, Index3{7, 14, 12}, Index3{13, 8, 10}}) {
     const Vec3 g =
-        smooth.gradient_at({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+        smooth.derivatives_at({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])})
+            .gradient;
     const auto expected = static_cast<double>(
         magnitude.samples[static_cast<std::size_t>(p[0] + volume.grid.size[0] * (p[1] + volume.grid.size[1] * p[2]))]);
     EXPECT_NEAR(std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), expected, 0.02 * expected);
@@ -106,6 +107,6 @@ TEST(SmoothVolume, ItsGradientIsTheFieldsAtTheSamples)
 TEST(SmoothVolume, ContinuesBeyondTheBorder)
 {
   const SmoothVolume smooth(volume_of([](const Vec3 &p) { return 5 * p[0]; }), 1.0);
-  EXPECT_EQ(smooth.gradient_at({-3, 5, 5}), smooth.gradient_at({0, 5, 5}));
-  EXPECT_EQ(smooth.gradient_at({30, 5, 5}), smooth.gradient_at({23, 5, 5}));
+  EXPECT_EQ(smooth.derivatives_at({-3, 5, 5}).gradient, smooth.derivatives_at({0, 5, 5}).gradient);
+  EXPECT_EQ(smooth.derivatives_at({30, 5, 5}).gradient, smooth.derivatives_at({23, 5, 5}).gradient);
 }

@@ -126,15 +126,7 @@ Mesh mask_surface(const Mask &mask)
   filter->ComputeNormalsOff();
   filter->ComputeScalarsOff();
   filter->Update();
-  Mesh mesh = from_poly_data(*filter->GetOutput());
-  for (Point &point : mesh.points) {
-    const Vec3 world = index_to_world(mask.grid, {point[0], point[1], point[2]});
-    point = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
-  }
-  if (is_mirrored(mask.grid))
-    for (Triangle &triangle : mesh.triangles)
-      std::swap(triangle[1], triangle[2]);
-  return mesh;
+  return from_index_space(*filter->GetOutput(), mask.grid);
 }
 
 } // namespace volsurf

@@ -1,8 +1,8 @@
 #include "volsurf/compare/nearest_surface.h"
 
 #include "volsurf/compare/triangle_tree.h"
-#include "volsurf/compare/vector.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/core/vec3.h"
 
 namespace volsurf {
 

@@ -1,7 +1,7 @@
 #include "volsurf/compare/surface_distances.h"
 
 #include "volsurf/compare/surface_samples.h"
-#include "volsurf/compare/vector.h"
+#include "volsurf/core/vec3.h"
 
 #include <algorithm>
 #include <numeric>

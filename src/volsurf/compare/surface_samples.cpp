@@ -1,6 +1,6 @@
 #include "volsurf/compare/surface_samples.h"
 
-#include "volsurf/compare/vector.h"
+#include "volsurf/core/vec3.h"
 
 namespace volsurf {
 

@@ -1,7 +1,7 @@
 #include "volsurf/compare/tidy_mesh.h"
 
 #include "volsurf/compare/edges.h"
-#include "volsurf/compare/vector.h"
+#include "volsurf/core/vec3.h"
 
 #include <numeric>
 

@@ -1,6 +1,6 @@
 #include "volsurf/compare/triangle_tree.h"
 
-#include "volsurf/compare/vector.h"
+#include "volsurf/core/vec3.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "volsurf/compare/vertex_distances.h"
 
-#include "volsurf/compare/vector.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/core/vec3.h"
 #include "volsurf/interop/vtk_mesh.h"
 
 #include <algorithm>

@@ -52,11 +52,6 @@ SmoothVolume::SmoothVolume(const Volume &volume, double sigma_mm) : grid_(volume
   coefficients_ = gaussian_blur(volume, sigma_voxels);
 }
 
-Vec3 SmoothVolume::gradient_at(const Vec3 &index) const
-{
-  return derivatives_at(index).gradient;
-}
-
 Derivatives SmoothVolume::derivatives_at(const Vec3 &index) const
 {
   const auto &[nx, ny, nz] = grid_.size;

@@ -27,7 +27,6 @@ public:
   const Grid &grid() const { return grid_; }
 
   /// At a fractional index. Thread-safe; 64 samples are looked at.
-  Vec3 gradient_at(const Vec3 &index) const;
   Derivatives derivatives_at(const Vec3 &index) const;
 
 private:

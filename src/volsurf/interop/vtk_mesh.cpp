@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cstring>
+#include <utility>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -137,6 +138,19 @@ Mesh from_poly_data(vtkPolyData &data)
   mesh.persistence = read_cell_array<float>(data, "Persistence");
   mesh.component = read_cell_array<ComponentId>(data, "Component");
   mesh.cap = read_cell_array<std::uint8_t>(data, "Cap");
+  return mesh;
+}
+
+Mesh from_index_space(vtkPolyData &data, const Grid &grid)
+{
+  Mesh mesh = from_poly_data(data);
+  for (Point &point : mesh.points) {
+    const Vec3 world = index_to_world(grid, {point[0], point[1], point[2]});
+    point = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+  }
+  if (is_mirrored(grid))
+    for (Triangle &triangle : mesh.triangles)
+      std::swap(triangle[1], triangle[2]);
   return mesh;
 }
 

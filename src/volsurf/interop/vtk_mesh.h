@@ -1,6 +1,7 @@
 // Mesh to vtkPolyData and back. Points keep their number and order: nothing is merged or dropped.
 #pragma once
 
+#include "volsurf/core/grid.h"
 #include "volsurf/core/mesh.h"
 #include "volsurf/interop/frame.h"
 
@@ -22,5 +23,9 @@ void copy_points(vtkPolyData &data, Mesh &mesh);
 /// A mesh of the points, triangles and known cell arrays of `data`. Throws InputError where a polygon is not a
 /// triangle.
 Mesh from_poly_data(vtkPolyData &data);
+
+/// The same of a surface that a filter made in the index space of a grid: in world coordinates, and with the side to
+/// which its triangles face kept where the grid is mirrored.
+Mesh from_index_space(vtkPolyData &data, const Grid &grid);
 
 } // namespace volsurf

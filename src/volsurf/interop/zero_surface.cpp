@@ -19,11 +19,7 @@ Mesh zero_surface(const Volume &volume)
   edges->ComputeGradientsOff();
   edges->ComputeScalarsOff();
   edges->Update();
-  Mesh mesh = from_poly_data(*edges->GetOutput());
-  for (Point &point : mesh.points) {
-    const Vec3 world = index_to_world(volume.grid, {point[0], point[1], point[2]});
-    point = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
-  }
+  Mesh mesh = from_index_space(*edges->GetOutput(), volume.grid);
   for (Triangle &triangle : mesh.triangles) // VTK's normals point to negative values
     std::swap(triangle[1], triangle[2]);
   return mesh;

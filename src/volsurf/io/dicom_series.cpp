@@ -1,6 +1,7 @@
 #include "volsurf/io/dicom_series.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/core/vec3.h"
 #include "volsurf/io/dicom_file.h"
 #include "volsurf/io/itk_image_io.h"
 #include "volsurf/io/sha256.h"
@@ -113,16 +114,6 @@ Series choose_series(const fs::path &folder, const std::string &uid)
   if (matching.empty())
     fail(folder, "no series " + uid, "--series with one of: " + list(all));
   fail(folder, std::to_string(matching.size()) + " DICOM series", "one; choose by --series UID: " + list(matching));
-}
-
-Vec3 minus(const Vec3 &a, const Vec3 &b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double length(const Vec3 &v)
-{
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
 /// Sets the third axis from the positions of the slices. A missing slice would bend the whole volume, so uneven steps

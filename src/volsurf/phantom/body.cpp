@@ -32,14 +32,14 @@ BodyFrame frame_of(const Grid &grid)
 
 double ball(const Vec3 &p, const Vec3 &centre, double radius)
 {
-  return length(difference(p, centre)) - radius;
+  return length(minus(p, centre)) - radius;
 }
 
 SignedDistance torus(const BodyFrame &frame)
 {
   constexpr Vec3 kAxis{0.36, 0.48, 0.8};
   return [=](const Vec3 &p) {
-    const Vec3 offset = difference(p, frame.centre);
+    const Vec3 offset = minus(p, frame.centre);
     const double height = dot(offset, kAxis);
     const double from_axis = std::sqrt(std::max(dot(offset, offset) - height * height, 0.0));
     return std::hypot(from_axis - 0.25 * frame.extent_mm, height) - 0.1 * frame.extent_mm;

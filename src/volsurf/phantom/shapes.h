@@ -1,27 +1,12 @@
 // Signed distances to simple bodies: millimetres, negative inside. Exact on the surface, and near it to first order.
 #pragma once
 
-#include "volsurf/core/grid.h"
+#include "volsurf/core/vec3.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace volsurf {
-
-inline Vec3 difference(const Vec3 &a, const Vec3 &b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-inline double dot(const Vec3 &a, const Vec3 &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline double length(const Vec3 &v)
-{
-  return std::sqrt(dot(v, v));
-}
 
 /// 0 below `low`, 1 above `high`, a smooth rise between.
 inline double smooth_step(double low, double high, double x)
@@ -48,7 +33,7 @@ inline double ellipsoid(const Vec3 &p, const Vec3 &centre, const Vec3 &semi_axes
 {
   // Reciprocals, because the compiler computes those of constants itself, and a division costs as much as the rest.
   const Vec3 inverse{1 / semi_axes[0], 1 / semi_axes[1], 1 / semi_axes[2]};
-  const Vec3 offset = difference(p, centre);
+  const Vec3 offset = minus(p, centre);
   const Vec3 scaled{offset[0] * inverse[0], offset[1] * inverse[1], offset[2] * inverse[2]};
   const Vec3 gradient{scaled[0] * inverse[0], scaled[1] * inverse[1], scaled[2] * inverse[2]};
   const double value = length(scaled);
@@ -66,8 +51,8 @@ struct TubePoint {
 /// One straight piece of a tube with round ends, the radius linear between them.
 inline double tube_piece(const Vec3 &p, const TubePoint &from, const TubePoint &to)
 {
-  const Vec3 axis = difference(to.centre, from.centre);
-  const Vec3 offset = difference(p, from.centre);
+  const Vec3 axis = minus(to.centre, from.centre);
+  const Vec3 offset = minus(p, from.centre);
   const double t = std::clamp(dot(offset, axis) * (1 / dot(axis, axis)), 0.0, 1.0);
   const Vec3 to_axis{offset[0] - t * axis[0], offset[1] - t * axis[1], offset[2] - t * axis[2]};
   return length(to_axis) - (from.radius + t * (to.radius - from.radius));

@@ -1,5 +1,7 @@
 #include "volsurf/surface/check.h"
 
+#include "volsurf/core/vec3.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,16 +10,6 @@
 namespace volsurf {
 
 namespace {
-
-Vec3 minus(const Point &a, const Point &b)
-{
-  return {static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1], static_cast<double>(a[2]) - b[2]};
-}
-
-Vec3 cross(const Vec3 &a, const Vec3 &b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// The sides of all triangles in buckets by their lower point.
 class EdgeBuckets {
@@ -94,8 +86,8 @@ std::int64_t count_shells(const Mesh &mesh)
 
 void measure(const Mesh &mesh, MeshCheck &check)
 {
-  for (const Triangle &t : mesh.triangles) {
-    const Vec3 normal = cross(minus(mesh.points[t[1]], mesh.points[t[0]]), minus(mesh.points[t[2]], mesh.points[t[0]]));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 normal = doubled_area_normal(mesh, t);
     check.area_mm2 += 0.5 * std::hypot(normal[0], normal[1], normal[2]);
   }
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
@@ -114,11 +106,10 @@ double signed_volume_mm3(const Mesh &mesh)
   if (mesh.points.empty())
     return 0;
   double volume = 0; // from a point of the mesh, so that a far origin costs no digits
-  const Point &apex = mesh.points.front();
-  for (const Triangle &t : mesh.triangles) {
-    const Vec3 normal = cross(minus(mesh.points[t[0]], apex), minus(mesh.points[t[1]], apex));
-    const Vec3 c = minus(mesh.points[t[2]], apex);
-    volume += (normal[0] * c[0] + normal[1] * c[1] + normal[2] * c[2]) / 6;
+  const Vec3 apex = to_vec3(mesh.points.front());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 normal = cross(minus(corner(mesh, t, 0), apex), minus(corner(mesh, t, 1), apex));
+    volume += dot(normal, minus(corner(mesh, t, 2), apex)) / 6;
   }
   return volume;
 }

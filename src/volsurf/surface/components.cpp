@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/index_forest.h"
+#include "volsurf/core/number_text.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/surface/edge_walk.h"
 #include "volsurf/surface/rank_components.h"
@@ -145,16 +146,11 @@ Keep parse_keep(const std::string &text)
 {
   if (text == "all")
     return KeepAll{};
-  std::size_t used = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &used);
-  } catch (const std::logic_error &) {
-    used = 0;
-  }
-  if (used > 0 && text.substr(used) == "%" && number > 0 && number <= 100)
+  const auto parsed = parse_number_text(text);
+  const double number = parsed ? parsed->number : 0;
+  if (parsed && parsed->is_percentage && number > 0 && number <= 100)
     return KeepPercent{number};
-  if (used > 0 && used == text.size() && number >= 1 && number <= 1e9 && number == std::floor(number))
+  if (parsed && !parsed->is_percentage && number >= 1 && number <= 1e9 && number == std::floor(number))
     return KeepCount{static_cast<std::int64_t>(number)};
   throw UsageError("--keep: found \"" + text +
                    "\"; allowed are all, a count (3) or a percentage above 0 and up to 100 (5%)");

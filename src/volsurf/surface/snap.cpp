@@ -1,6 +1,8 @@
 #include "volsurf/surface/snap.h"
 
 #include "volsurf/core/parallel.h"
+#include "volsurf/core/vec3.h"
+#include "volsurf/surface/cap_points.h"
 #include "volsurf/surface/point_stars.h"
 
 #include <algorithm>
@@ -22,22 +24,10 @@ constexpr double kLeastDeviationVoxels = 0.1;
 /// A triangle counts as turned over where its normal turns further than this.
 constexpr double kLeastCosine = 0.1;
 
-double dot(const Vec3 &a, const Vec3 &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec3 minus(const Vec3 &a, const Vec3 &b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 /// As long as twice the triangle's area.
 Vec3 normal_of(const Triangle &t, const std::vector<Vec3> &positions)
 {
-  const Vec3 a = minus(positions[t[1]], positions[t[0]]);
-  const Vec3 b = minus(positions[t[2]], positions[t[0]]);
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  return cross(minus(positions[t[1]], positions[t[0]]), minus(positions[t[2]], positions[t[0]]));
 }
 
 double median(std::vector<double> &values)
@@ -83,20 +73,11 @@ void set_points(const std::vector<Vec3> &positions, const Grid &grid, Mesh &mesh
 /// The axes along which a point may move: a cap's points stay in its border plane.
 using FreeAxes = std::array<bool, 3>;
 
-std::vector<FreeAxes> find_free_axes(const Mesh &mesh, const Grid &grid, const std::vector<Vec3> &positions)
+std::vector<FreeAxes> find_free_axes(const Mesh &mesh, const Grid &grid)
 {
   std::vector<FreeAxes> free_axes(mesh.points.size(), {true, true, true});
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.cap[t] == 0)
-      continue;
-    const Triangle &triangle = mesh.triangles[t];
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double plane : {0.0, static_cast<double>(grid.size[axis] - 1) * grid.spacing_mm[axis]})
-        if (std::all_of(triangle.begin(), triangle.end(),
-                        [&](PointId p) { return std::abs(positions[p][axis] - plane) < 1e-3; }))
-          for (const PointId point : triangle)
-            free_axes[point][axis] = false;
-  }
+  for (const CapPoint &cap : find_cap_points(mesh, grid))
+    free_axes[cap.point][static_cast<std::size_t>(cap.axis)] = false;
   return free_axes;
 }
 
@@ -128,10 +109,10 @@ std::optional<Vec3> wall_normal(PointId point, const Mesh &mesh, const PointStar
     for (int axis = 0; axis < 3; ++axis)
       normal[axis] += free_axes[axis] ? n[axis] : 0;
   });
-  const double length = std::sqrt(dot(normal, normal));
-  if (!(length > 0))
+  const double size = length(normal);
+  if (!(size > 0))
     return std::nullopt;
-  return Vec3{normal[0] / length, normal[1] / length, normal[2] / length};
+  return Vec3{normal[0] / size, normal[1] / size, normal[2] / size};
 }
 
 /// A voxel's size along a direction.
@@ -308,7 +289,7 @@ SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge)
 {
   const PointStars stars(mesh);
   const std::vector<Vec3> positions = positions_of(mesh, grid);
-  const std::vector<FreeAxes> free_axes = find_free_axes(mesh, grid, positions);
+  const std::vector<FreeAxes> free_axes = find_free_axes(mesh, grid);
   std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, find_edge);
   drop_outliers(mesh, stars, ways);
 

@@ -1,6 +1,7 @@
 #include "volsurf/topology/delta_choice.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/core/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,17 +55,11 @@ DeltaChoice parse_delta(const std::string &text)
 {
   if (text == "auto")
     return AutomaticDelta{};
-  std::size_t used = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &used);
-  } catch (const std::logic_error &) {
-    used = 0;
-  }
-  if (used > 0 && used == text.size() && number > 0 && std::isfinite(number))
-    return DeltaValue{number};
-  if (used > 0 && text.substr(used) == "%" && number > 0 && number <= 100)
-    return DeltaPercent{number};
+  const auto parsed = parse_number_text(text);
+  if (parsed && !parsed->is_percentage && parsed->number > 0 && std::isfinite(parsed->number))
+    return DeltaValue{parsed->number};
+  if (parsed && parsed->is_percentage && parsed->number > 0 && parsed->number <= 100)
+    return DeltaPercent{parsed->number};
   throw UsageError("--delta: found \"" + text +
                    "\"; allowed are finite numbers above 0, in intensity per mm, percentages above 0 and up to 100 of "
                    "the largest persistence (10%), and auto");

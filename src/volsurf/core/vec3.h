@@ -1,4 +1,4 @@
-// Vectors of doubles, as the measures need them.
+// Arithmetic of Vec3, and of a mesh's triangles in it.
 #pragma once
 
 #include "volsurf/core/grid.h"
