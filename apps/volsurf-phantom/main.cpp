@@ -38,6 +38,7 @@ bool carry_on(std::string_view /*stage*/, double /*fraction*/)
 struct Arguments {
   std::vector<std::int64_t> size{128};
   std::vector<double> spacing_mm;
+  std::vector<double> offset_mm{0};
   std::string noise = "none";
   std::string shape = "head";
   std::optional<double> bias;
@@ -71,6 +72,10 @@ void add_options(CLI::App &app, Arguments &arguments)
                  "and cortex 1)")
       ->delimiter(',')
       ->expected(1, 3);
+  app.add_option("--offset", arguments.offset_mm,
+                 "Move a single body by X,Y,Z mm from the middle; the scan's border may cut it (0,0,0)")
+      ->delimiter(',')
+      ->expected(3);
   app.add_option(
       "--noise", arguments.noise,
       "none, impulse:2% (this part of the samples becomes uniform over the scan's range), gaussian:5% or "
@@ -90,7 +95,7 @@ void add_options(CLI::App &app, Arguments &arguments)
       ->capture_default_str();
   app.set_version_flag("--version", "volsurf-phantom " VOLSURF_VERSION);
   for (const char *const option :
-       {"--size", "--spacing", "--bias", "--anatomy", "--truth", "--truth-surface", "--type", "--shape"})
+       {"--size", "--spacing", "--offset", "--bias", "--anatomy", "--truth", "--truth-surface", "--type", "--shape"})
     scan->excludes(app.get_option(option));
 }
 
@@ -169,6 +174,9 @@ Job make_job(const Arguments &arguments)
   options.bias = arguments.bias.value_or(job.body ? 0 : PhantomOptions().bias);
   options.anatomy = not_negative(arguments.anatomy, "--anatomy");
   options.with_truth = !arguments.truth.empty();
+  options.offset_mm = per_axis(arguments.offset_mm, "--offset");
+  if (!job.body && options.offset_mm != Vec3{})
+    throw UsageError("--offset: moves single bodies; --shape head has its place");
   job.noise = parse_noise(arguments.noise, job.body ? kBodySignal - kBodySurroundings : kTissueContrast);
   job.noise.seed = not_negative(arguments.seed, "--seed");
   job.type_name = !arguments.type.empty() ? arguments.type : job.body ? "float" : "uint16";
@@ -184,6 +192,9 @@ std::string options_as_used(const Arguments &arguments, const Job &job)
   const Vec3 &spacing = job.options.spacing_mm;
   if (job.body)
     text << "--shape " << arguments.shape << ' ';
+  const Vec3 &offset = job.options.offset_mm;
+  if (offset != Vec3{})
+    text << "--offset " << offset[0] << ',' << offset[1] << ',' << offset[2] << ' ';
   text << "--size " << size[0] << ',' << size[1] << ',' << size[2] << " --spacing " << spacing[0] << ',' << spacing[1]
        << ',' << spacing[2] << " --noise " << arguments.noise << " --bias " << job.options.bias << " --seed "
        << arguments.seed << " --anatomy " << arguments.anatomy << " --type " << job.type_name;
@@ -245,8 +256,8 @@ Outputs begin_outputs(const Arguments &arguments)
 void write_truth_surface(const Job &job, const Grid &grid, const PendingOutput &output, const Provenance &provenance)
 {
   const BodyKind body = job.body.value_or(BodyKind::kCortex);
-  const Volume distances =
-      sample_distance(body_distance(body, grid, job.options.anatomy), grid, refinement_for(body, grid), carry_on);
+  const Volume distances = sample_distance(body_distance(body, grid, job.options.anatomy, job.options.offset_mm), grid,
+                                           refinement_for(body, grid), carry_on);
   const Mesh surface = zero_surface(distances);
   write_to(output, [&](const auto &file) { write_mesh(surface, OutputKind::vtp, file, provenance, Frame::lps); });
 }

@@ -136,6 +136,20 @@ TEST(BodyPhantom, the_surface_of_the_cortex_is_closed_where_the_scan_cuts_the_st
   EXPECT_NEAR((check.volume_mm3 + half_slice) / volume_by_samples(phantom), 1, 0.005);
 }
 
+TEST(BodyPhantom, a_ball_moved_to_the_border_is_cut_there_with_its_samples)
+{
+  PhantomOptions options = options_of({48, 48, 48}, {1, 1, 1});
+  options.offset_mm = {23.19, 0, 0}; // the middle lies 0.31 beyond that of the samples, the last of them at 23.5
+  const Phantom phantom = make_body_phantom(BodyKind::kSphere, options);
+  const SignedDistance distance = body_distance(BodyKind::kSphere, phantom.volume.grid, 1, options.offset_mm);
+  const MeshCheck check = check_mesh(zero_surface(sample_distance(distance, phantom.volume.grid, 3)));
+  const double half_ball = 2.0 / 3.0 * kPi * 14.4 * 14.4 * 14.4;
+  EXPECT_TRUE(check.watertight);
+  EXPECT_NEAR(check.volume_mm3 / half_ball, 1, 0.002);
+  const double half_slice = 0.5 * kPi * 14.4 * 14.4; // voxels reach half of one further than their samples
+  EXPECT_NEAR(volume_by_samples(phantom) / (half_ball + half_slice), 1, 0.002);
+}
+
 TEST(BodyPhantom, the_truth_is_where_the_distance_is_negative)
 {
   const Phantom phantom = make_body_phantom(BodyKind::kTorus, options_of({32, 32, 32}, {1, 1, 1}));

@@ -134,6 +134,9 @@ TEST(PhantomProgram, refuses_bad_usage)
   expect_refused("-o a.nrrd --size 1", 2, "size: 1 samples");
   expect_refused("-o a.nrrd --size 99999999", 2, "size: more samples");
   expect_refused("-o a.nrrd --size 8 --spacing 0", 2, "spacing: 0");
+  expect_refused("-o a.nrrd --size 8 --offset 1,0,0", 2, "--offset: moves single bodies");
+  expect_refused("-o a.nrrd --truth-surface b.vtp --shape sphere --size 8 --offset 100,0,0", 2,
+                 "no sample of the volume is inside");
   expect_refused("-o a.nrrd --size 8 --noise salt:1", 2, "salt:1");
   expect_refused("-o a.nrrd --size 8 --bias 2", 2, "bias: 2");
   expect_refused("-o a.nrrd --size 8 --seed -1", 2, "--seed: -1");

@@ -79,9 +79,7 @@ SignedDistance brain(std::uint64_t anatomy)
   };
 }
 
-} // namespace
-
-SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anatomy)
+SignedDistance centred_distance(BodyKind body, const Grid &grid, std::uint64_t anatomy)
 {
   const BodyFrame frame = frame_of(grid);
   switch (body) {
@@ -96,6 +94,16 @@ SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anat
   default:
     return brain(anatomy);
   }
+}
+
+} // namespace
+
+SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anatomy, const Vec3 &offset_mm)
+{
+  SignedDistance centred = centred_distance(body, grid, anatomy);
+  if (offset_mm == Vec3{})
+    return centred;
+  return [=](const Vec3 &p) { return centred(minus(p, offset_mm)); };
 }
 
 std::optional<BodyKind> parse_body(std::string_view name)

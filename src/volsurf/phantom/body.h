@@ -23,8 +23,9 @@ enum class BodyKind {
 using SignedDistance = std::function<double(const Vec3 &)>;
 
 /// Bodies sit a fraction of a voxel off the middle of the grid, so that no sample has a place of its own by symmetry.
-/// `anatomy` is the seed of the cortex's folds.
-SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anatomy);
+/// `anatomy` is the seed of the cortex's folds. `offset_mm`, in the world, moves the body from there: far enough, and
+/// the volume's border cuts it.
+SignedDistance body_distance(BodyKind body, const Grid &grid, std::uint64_t anatomy, const Vec3 &offset_mm = {});
 
 /// The body of this name: "sphere", "torus", "blobs", "shell" or "cortex"; nothing for "head". Throws UsageError.
 std::optional<BodyKind> parse_body(std::string_view name);

@@ -173,7 +173,7 @@ Phantom make_body_phantom(BodyKind body, const PhantomOptions &options, const Pr
   phantom.volume.samples.resize(static_cast<std::size_t>(grid.sample_count()));
   if (options.with_truth)
     phantom.truth.labels.resize(phantom.volume.samples.size());
-  const SignedDistance distance = body_distance(body, grid, options.anatomy);
+  const SignedDistance distance = body_distance(body, grid, options.anatomy, options.offset_mm);
   const BiasField bias = make_bias_field(grid, options.bias, options.anatomy, extent_of(body, grid));
   const int parts = body == BodyKind::kCortex ? 4 : 8; // the cortex costs most
   for_each_row(grid, "phantom", progress, [&](Index3 index, std::int64_t row) {

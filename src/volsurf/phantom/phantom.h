@@ -25,6 +25,7 @@ struct PhantomOptions {
   Vec3 spacing_mm{1.6, 1.6, 1.6};
   double bias = 0.2;         ///< 0 .. 1: the bias field runs from 1 - bias/2 to 1 + bias/2
   std::uint64_t anatomy = 1; ///< seed of the folds and of the bias field
+  Vec3 offset_mm{};          ///< of a single body, from the middle of the volume; the head stays
   bool with_truth = true;    ///< false leaves the labels empty, to save their memory
 };
 
