@@ -1,5 +1,6 @@
 """The measurements of scripts/study.py: one surface each, and what several seeds and a search make of them."""
 
+import csv
 import math
 from dataclasses import dataclass, fields
 from statistics import fmean
@@ -25,6 +26,9 @@ class Result:
     bias_voxels: float = math.nan
     dice: float = math.nan
     volume_error: float = math.nan
+    vertex_rms_voxels: float = math.nan
+    moved_assd_voxels: float = math.nan  # from the same method's surface without noise
+    moved_hd95_voxels: float = math.nan
     seconds: float = math.nan
 
     def take(self, metrics, voxel_mm):
@@ -42,6 +46,16 @@ class Result:
     def from_row(cls, row):
         return cls(**{field.name: field.type(row[field.name]) for field in fields(cls)})
 
+    @property
+    def scan(self):
+        return (self.case, self.noise, self.bias_field, self.seed)
+
+
+def read_results(path):
+    """Of a results.csv."""
+    with open(path, encoding="utf-8", newline="") as file:
+        return [Result.from_row(row) for row in csv.DictReader(file)]
+
 
 @dataclass(frozen=True)
 class Score:
@@ -56,6 +70,12 @@ class Score:
     parameters: tuple
     lost: int
     seeds: int
+    worst_assd: float
+    worst_hd95: float
+    worst_vertex_rms: float
+    worst_volume_error: float  # without its sign
+    moved_assd: float
+    moved_hd95: float
 
 
 def best_of_each(results):
@@ -71,12 +91,16 @@ def best_of_each(results):
 
 
 def score_of(results):
-    """The mean over seeds."""
+    """The mean over seeds, and the worst of them."""
 
     def mean(name):
         return fmean(getattr(result, name) for result in results)
 
+    def worst(name):
+        return max(abs(getattr(result, name)) for result in results)
+
     return Score(
         mean("assd_voxels"), mean("hd95_voxels"), mean("bias_voxels"), mean("dice"), mean("volume_error"),
         mean("seconds"), tuple(sorted({result.parameter for result in results if result.parameter})),
-        sum(math.isinf(result.assd_mm) for result in results), len(results))
+        sum(math.isinf(result.assd_mm) for result in results), len(results), worst("assd_voxels"), worst("hd95_voxels"),
+        worst("vertex_rms_voxels"), worst("volume_error"), mean("moved_assd_voxels"), mean("moved_hd95_voxels"))
