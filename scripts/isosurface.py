@@ -29,7 +29,7 @@ POINTS = 1500  # of each surface, for a mean distance
 
 
 def otsu_level(image):
-    """Between the two classes of samples whose means are furthest apart."""
+    """Between the two classes of samples whose means are furthest apart; in the middle of all such levels."""
     low, high = image.GetScalarRange()
     histogram = vtkImageAccumulate()
     histogram.SetInputData(image)
@@ -39,15 +39,17 @@ def otsu_level(image):
     histogram.Update()
     counts = [histogram.GetOutput().GetScalarComponentAsDouble(index, 0, 0, 0) for index in range(BINS)]
     whole, moment = sum(counts), sum(index * count for index, count in enumerate(counts))
-    best, best_index, below, moment_below = -1, 0, 0, 0
+    best, first, last, below, moment_below = -1, 0, 0, 0, 0
     for index, count in enumerate(counts[:-1]):
         below += count
         moment_below += index * count
         if 0 < below < whole:
             between = (moment * below - moment_below * whole) ** 2 / (below * (whole - below))
             if between > best:
-                best, best_index = between, index
-    return low + (high - low) * (best_index + 1) / BINS
+                best, first = between, index
+            if between == best:
+                last = index
+    return low + (high - low) * ((first + last) / 2 + 1) / BINS
 
 
 def padded(image):

@@ -12,6 +12,7 @@ such help.
 
 import argparse
 import json
+import math
 import resource
 import shutil
 import sys
@@ -35,11 +36,13 @@ def available_cases(configuration, data, names, notes):
     for name in names:
         if name not in known:
             sys.exit(f"study.py: --case: there is no {name!r}; there are {', '.join(known)}")
+    if names:
+        notes.append(f"Only these cases were asked for: {', '.join(names)}.")
     kept = []
     for case in configuration["cases"]:
         if names and case["name"] not in names:
-            notes.append(f"{case['name']} is left out: not asked for")
-        elif "scan" in case and not (data and (data / case["scan"]).exists()):
+            continue
+        if "scan" in case and not (data and (data / case["scan"]).exists()):
             notes.append(f"{case['name']} is left out: there is no {case['scan']}")
         else:
             kept.append(case)
@@ -82,7 +85,7 @@ def measure_all(programs, scans, configuration, arguments):
     scans.make_truths([case for case in configuration["cases"] if case["name"] in to_do])
     rows = Table(table, kept)
     try:
-        kept += run_all(programs, scans, tasks, methods, configuration["samples"], rows)
+        kept += run_all(programs, scans, tasks, methods, configuration["samples"], rows, 60 * arguments.minutes)
     finally:
         rows.close()
     return in_order(kept, settings, methods)
@@ -108,6 +111,7 @@ def parse_arguments(words):
     parser.add_argument("--data", type=Path, metavar="FOLDER", help="real scans")
     parser.add_argument("--case", action="append", default=[], metavar="NAME", help="only this case; repeatable")
     parser.add_argument("--markdown", type=Path, metavar="FILE", help="write the summary here, too")
+    parser.add_argument("--minutes", type=float, default=math.inf, metavar="N", help="begin no scan after so many")
     parser.add_argument("--resume", action="store_true", help="go on from FOLDER/results.csv")
     parser.add_argument("--page-only", action="store_true", help="make the page anew from FOLDER/results.csv")
     return parser.parse_args(words)

@@ -121,7 +121,7 @@ class ScanRun:
                 return result
             if "--level" in method["options"]:
                 result.parameter = f"level {process.stdout.strip()}"
-            if not parameter and not method["options"]:
+            if not parameter and not method["options"] and not method.get("by_hand"):
                 self.take_report(surface.with_suffix(".json"))
                 result.parameter = f"delta {self.found['delta']:g}"
             self.compare(surface, result)
@@ -191,14 +191,15 @@ class ScanRun:
 
 
 def tasks_of(settings):
-    """Lists of scans that one worker does in turn, the longest first. Where each method's own surface without noise is
-    wanted, all scans of a case are one task; elsewhere each is by itself."""
+    """Lists of scans that one worker does in turn: first what every case needs, the longest first, then further seeds.
+    Where each method's own surface without noise is wanted, all scans of a case are one task; elsewhere each is by
+    itself."""
     tasks = {}
     for setting in settings:
         tasks.setdefault(setting.case["name"] if setting.case.get("stability") else setting.key, []).append(setting)
     for task in tasks.values():
         task.sort(key=lambda setting: setting.noise != "none")
-    return sorted(tasks.values(), key=lambda task: -len(task) * task[0].case.get("seconds", 1))
+    return sorted(tasks.values(), key=lambda task: (task[0].seed, -len(task) * task[0].case.get("seconds", 1)))
 
 
 class Table:
@@ -228,13 +229,15 @@ def run_task(programs, scans, task, methods, samples):
                 yield setting, run.run(methods_of(setting.case, methods))
 
 
-def run_all(programs, scans, tasks, methods, samples, table):
-    """Two tasks at a time. Each scan's results are written when it is done."""
+def run_all(programs, scans, tasks, methods, samples, table, most_seconds):
+    """Two tasks at a time. Each scan's results are written when it is done. None is begun after `most_seconds`."""
     whole, done, lock = sum(map(len, tasks)), [0], threading.Lock()
     started = time.perf_counter()
 
     def run_one(task):
         found = []
+        if time.perf_counter() - started > most_seconds:
+            return found
         for setting, results in run_task(programs, scans, task, methods, samples):
             found += results
             with lock:
@@ -243,6 +246,8 @@ def run_all(programs, scans, tasks, methods, samples, table):
                 seconds = time.perf_counter() - started
                 name = f"{setting.key[0]}, {setting.noise}, bias {setting.bias:g}, seed {setting.seed}"
                 print(f"study.py: {seconds:.0f} s: {done[0]} of {whole}: {name}", file=sys.stderr, flush=True)
+            if seconds > most_seconds:
+                break
         return found
 
     with ThreadPoolExecutor(WORKERS) as pool:

@@ -52,7 +52,8 @@ def draw(programs, scan, wanted, folder):
 def caption(surface, report):
     """With the number of parts of which the largest are shown."""
     counts = json.loads(report.read_text(encoding="utf-8"))["counts"]
-    return f"{surface['caption']}; of {counts['components']:,} part{'s' if counts['components'] > 1 else ''}"
+    parts = counts["components"]
+    return f"{surface['caption']}: largest of {parts:,} parts" if parts > 1 else surface["caption"]
 
 
 def picture(row, png, view):

@@ -121,15 +121,17 @@ def totals(study):
 
         if not of("assd", True, True) + of("assd", True, False):
             continue
-        noisy = [f"{measure.upper()} on {counted(of(measure, False, True))} scans with noise "
-                 f"({counted(of(measure, True, True))} where rivals are told the best level)" for measure in MEASURES]
-        texts.append(f"On {what}: volsurf with its defaults and the automatic delta is nearer than every rival by "
-                     f"{' and by '.join(noisy)}.")
+        parts = [" and by ".join(f"{measure.upper()} on {counted(of(measure, told, True))}" for measure in MEASURES) + text
+                 for told, text in ((False, " scans with noise"), (True, " where rivals are told the best level, too"))
+                 if of("assd", told, True)]
+        if parts:
+            texts.append(f"On {what}: volsurf with its defaults and the automatic delta is nearer than every rival by "
+                         f"{'; by '.join(parts)}.")
         clean = {measure: of(measure, True, False) for measure in MEASURES}
         within = [f"{measure.upper()} on {sum(c.behind <= bar for c in found)} of {len(found)} scans"
                   for measure, found in clean.items() if found]
         if within:
-            texts.append(f"Without noise it is nearer than every rival, told the best level, or within {bar:g} voxel of "
+            texts.append(f"Without noise, on {'real scans' if is_real else 'phantoms'}, it is nearer than every rival, told the best level, or within {bar:g} voxel of "
                          f"it, by {' and by '.join(within)}.")
     return " ".join(texts)
 
@@ -231,6 +233,6 @@ def tables_of(study, case):
     """Titles and rows of what is told of a case."""
     tables = [("ASSD in voxels", case_table(study, case, "assd")), ("HD95 in voxels", case_table(study, case, "hd95"))]
     if case.get("stability"):
-        tables.append(("ASSD in voxels from the same method's own surface of the scan without noise: how far noise moves it",
-                       case_table(study, case, "moved_assd")))
+        title = "How far noise moves each method: ASSD in voxels from its own surface of the scan without noise"
+        tables.append((title, case_table(study, case, "moved_assd")))
     return tables
