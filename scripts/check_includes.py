@@ -33,6 +33,7 @@ LIBRARIES = (
      "interop, io, compare, baseline, surface/smoothing"),
     ("OpenVDB", re.compile(r"openvdb/"), re.compile(r"interop/"), "interop"),
     ("cairo", re.compile(r"cairo[\w-]*\.h"), re.compile(r"plot/"), "plot"),
+    ("CGAL", re.compile(r"CGAL/"), re.compile(r"baseline/cgal_mesher\.cpp"), "baseline/cgal_mesher.cpp"),
     ("CLI11", re.compile(r"CLI/"), re.compile(r"apps/"), "apps"),
     ("TBB", re.compile(r"(oneapi/)?tbb/"), re.compile(r"core/parallel"), "core/parallel"),
 )

@@ -18,15 +18,17 @@ test_packages=(
   libopenvdb-tools python3 python3-jsonschema
   clang-format clang-tidy git
 )
+cgal_packages=(libcgal-dev) # brings GMP and MPFR
 render_packages=(python3-vtk9 xvfb xauth libgl1-mesa-dri) # without the last, Xvfb has no GLX
 
 usage() {
   cat <<'END'
-usage: install_packages.sh [--test] [--render] [--list]
+usage: install_packages.sh [--test] [--render] [--cgal] [--list]
 
 Installs the Debian packages that building volsurf needs.
   --test    also those of its tests
   --render  also those of scripts/render.py (python3-vtk9 and a virtual display)
+  --cgal    also those of VOLSURF_WITH_CGAL
   --list    prints the packages, installs nothing
 
 ParaView, for paraview/view.py, is not among them: Debian's python3-paraview conflicts with python3-vtk9, which
@@ -79,6 +81,7 @@ main() {
     case $argument in
       --test) wanted+=("${test_packages[@]}") ;;
       --render) wanted+=("${render_packages[@]}") ;;
+      --cgal) wanted+=("${cgal_packages[@]}") ;;
       --list) list_only=yes ;;
       --help | -h) usage && return ;;
       *) usage >&2 && exit 2 ;;

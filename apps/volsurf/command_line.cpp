@@ -2,6 +2,7 @@
 
 #include "shared_options.h"
 
+#include "volsurf/baseline/cgal_mesher.h"
 #include "volsurf/core/error.h"
 
 #include <cmath>
@@ -60,6 +61,12 @@ std::filesystem::path default_output(const std::filesystem::path &input)
   return name.replace_extension(".vtp");
 }
 
+std::string method_help()
+{
+  return std::string("volsurf, or to compare: threshold, isosurface, marching-cubes, watershed, cgal-mesher ") +
+         (has_cgal_mesher() ? "(with CGAL) " : "(not in this program, which is built without CGAL) ") + "[volsurf]";
+}
+
 void add_method_options(CLI::App &app, Settings &settings, Texts &texts)
 {
   add_word_option<Method>(app, "--method", settings.method,
@@ -67,10 +74,11 @@ void add_method_options(CLI::App &app, Settings &settings, Texts &texts)
                            {"threshold", Method::threshold},
                            {"isosurface", Method::isosurface},
                            {"marching-cubes", Method::marching_cubes},
+                           {"cgal-mesher", Method::cgal_mesher},
                            {"watershed", Method::watershed}},
-                          "volsurf, or to compare: threshold, isosurface, marching-cubes, watershed [volsurf]")
+                          method_help())
       ->group("Method");
-  app.add_option("--iso", texts.iso, "Iso-value of the first three of these: a number, or otsu [otsu]")
+  app.add_option("--iso", texts.iso, "Iso-value of all but watershed of these: a number, or otsu [otsu]")
       ->group("Method");
 }
 

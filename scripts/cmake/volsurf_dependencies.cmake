@@ -7,6 +7,11 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(CLI11 2.1 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo-png cairo-svg)
+if(VOLSURF_WITH_CGAL)
+  # CGAL 5.5 is headers only; what they need is in these two.
+  pkg_check_modules(GMP REQUIRED IMPORTED_TARGET gmp)
+  pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+endif()
 find_package(
   VTK 9.1 REQUIRED
   COMPONENTS CommonCore CommonDataModel FiltersCore IOGeometry IOPLY IOXML)

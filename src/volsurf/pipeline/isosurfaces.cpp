@@ -1,5 +1,6 @@
 #include "volsurf/pipeline/isosurfaces.h"
 
+#include "volsurf/baseline/cgal_mesher.h"
 #include "volsurf/baseline/isosurface.h"
 #include "volsurf/core/error.h"
 #include "volsurf/pipeline/summary.h"
@@ -11,6 +12,26 @@
 namespace volsurf {
 
 namespace {
+
+Mesh surface_by_mesher(const Volume &volume, const Settings &settings, const Progress &progress)
+{
+  CgalMesherOptions options;
+  options.most_memory_bytes = settings.max_memory_bytes.value_or(available_memory_bytes());
+  try {
+    return cgal_surface(volume, *settings.iso, options, progress);
+  } catch (const InputError &error) {
+    throw InputError(settings.input.string() + ": --method cgal-mesher: " + error.what());
+  }
+}
+
+Mesh surface_by_method(const Volume &volume, const Settings &settings, const Progress &progress)
+{
+  if (settings.method == Method::cgal_mesher)
+    return surface_by_mesher(volume, settings, progress);
+  return isosurface(volume, *settings.iso,
+                    settings.method == Method::marching_cubes ? IsosurfaceFilter::marching_cubes
+                                                              : IsosurfaceFilter::flying_edges);
+}
 
 void require_triangles(const Mesh &mesh, const Volume &volume, const Settings &settings)
 {
@@ -29,9 +50,7 @@ void require_triangles(const Mesh &mesh, const Volume &volume, const Settings &s
 void make_isosurface(const Volume &volume, const Settings &settings, const SurfaceSink &sink)
 {
   report_progress(sink.progress, "surface", 0);
-  Mesh mesh = isosurface(volume, *settings.iso,
-                         settings.method == Method::marching_cubes ? IsosurfaceFilter::marching_cubes
-                                                                   : IsosurfaceFilter::flying_edges);
+  Mesh mesh = surface_by_method(volume, settings, sink.progress);
   require_triangles(mesh, volume, settings);
   sink.timer.lap("surface");
   report_progress(sink.progress, "components", 0);

@@ -1,5 +1,6 @@
 #include "volsurf/pipeline/method.h"
 
+#include "volsurf/baseline/cgal_mesher.h"
 #include "volsurf/core/error.h"
 #include "volsurf/pipeline/file_names.h"
 #include "volsurf/pipeline/settings.h"
@@ -24,6 +25,13 @@ public:
 private:
   Method method_;
 };
+
+void require_built(Method method)
+{
+  if (method == Method::cgal_mesher && !has_cgal_mesher())
+    throw UsageError("--method cgal-mesher: found a program built without CGAL; to get it, install libcgal-dev and "
+                     "build with -DVOLSURF_WITH_CGAL=ON");
+}
 
 void check_watershed_level(const Settings &settings)
 {
@@ -60,6 +68,8 @@ std::string method_text(Method method)
     return "isosurface";
   case Method::marching_cubes:
     return "marching-cubes";
+  case Method::cgal_mesher:
+    return "cgal-mesher";
   case Method::watershed:
     return "watershed";
   case Method::volsurf:
@@ -75,13 +85,14 @@ bool takes_iso_value(Method method)
 
 bool finds_regions(Method method)
 {
-  return method != Method::isosurface && method != Method::marching_cubes;
+  return method != Method::isosurface && method != Method::marching_cubes && method != Method::cgal_mesher;
 }
 
 void check_method(const Settings &settings)
 {
   const Method method = settings.method;
   const MethodChecker checker(method);
+  require_built(method);
   check_iso_value(settings);
   if (takes_iso_value(method)) {
     checker.refuse_if(!std::holds_alternative<AutomaticDelta>(settings.delta), delta_text(settings.delta));
