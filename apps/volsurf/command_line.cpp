@@ -78,8 +78,7 @@ void add_method_options(CLI::App &app, Settings &settings, Texts &texts)
                            {"watershed", Method::watershed}},
                           method_help())
       ->group("Method");
-  app.add_option("--iso", texts.iso, "Iso-value of all but watershed of these: a number, or otsu [otsu]")
-      ->group("Method");
+  app.add_option("--iso", texts.iso, "Iso-value of these but watershed: a number, or otsu [otsu]")->group("Method");
 }
 
 /// Nothing for "otsu".
