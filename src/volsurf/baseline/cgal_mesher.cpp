@@ -22,8 +22,9 @@ constexpr std::uint64_t kBytesPerPoint = 2400; // measured: its cells, their cir
 /// A vertex or cell that is ordered by the time of its birth, not by its address, so that each run does the same.
 template <typename Base> class Numbered : public Base {
 public:
-  using Has_timestamp = CGAL::Tag_true; // NOLINT(readability-identifier-naming): CGAL asks for these names
-  template <typename Triangulation> struct Rebind_TDS {
+  // CGAL asks for these names.
+  using Has_timestamp = CGAL::Tag_true; // NOLINT(readability-identifier-naming)
+  template <typename Triangulation> struct Rebind_TDS { // NOLINT(readability-identifier-naming)
     using Other = Numbered<typename Base::template Rebind_TDS<Triangulation>::Other>;
   };
   using Base::Base;
