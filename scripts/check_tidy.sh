@@ -2,7 +2,7 @@
 # Checks the sources of src and apps with clang-tidy, by .clang-tidy.
 #
 # In:  the build folder, which holds compile_commands.json (default: build/release), then files (default: all .cpp files
-#      of src and apps, and so the headers that they include).
+#      of src and apps that this build compiles, and so the headers that they include).
 # Out: clang-tidy's complaints, and exit code 1 if there are any.
 set -euo pipefail
 
@@ -18,6 +18,14 @@ tidy() {
   printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p "$build" 2>&1
 }
 
+# compiled BUILD: the sources of src and apps that are part of a build.
+compiled() {
+  local file
+  find src apps -name '*.cpp' | sort | while read -r file; do
+    ! grep -q -F "/$file\"" "$1/compile_commands.json" || printf '%s\n' "$file"
+  done
+}
+
 # ITK's headers, as Debian configured them, know no compiler but g++ and say so once per file, to no other effect; and
 # clang-tidy counts the warnings that it does not show.
 without_noise() {
@@ -30,7 +38,7 @@ main() {
   local build=${1:-build/release} files=("${@:2}") complaints
   command -v clang-tidy >/dev/null || fail "there is no clang-tidy: run scripts/install_packages.sh --test"
   [[ -f $build/compile_commands.json ]] || fail "$build holds no compile_commands.json: configure it first"
-  [[ ${#files[@]} -gt 0 ]] || mapfile -t files < <(find src apps -name '*.cpp' | sort)
+  [[ ${#files[@]} -gt 0 ]] || mapfile -t files < <(compiled "$build")
   complaints=$(tidy "$build" "${files[@]}" | without_noise) || true
   if [[ -n $complaints ]]; then
     printf '%s\n' "$complaints"

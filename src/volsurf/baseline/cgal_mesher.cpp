@@ -23,7 +23,7 @@ constexpr std::uint64_t kBytesPerPoint = 2400; // measured: its cells, their cir
 template <typename Base> class Numbered : public Base {
 public:
   // CGAL asks for these names.
-  using Has_timestamp = CGAL::Tag_true; // NOLINT(readability-identifier-naming)
+  using Has_timestamp = CGAL::Tag_true;                 // NOLINT(readability-identifier-naming)
   template <typename Triangulation> struct Rebind_TDS { // NOLINT(readability-identifier-naming)
     using Other = Numbered<typename Base::template Rebind_TDS<Triangulation>::Other>;
   };
