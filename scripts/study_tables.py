@@ -175,19 +175,21 @@ def bar_table(study):
 
 
 def default_table(study):
-    """A row for each other value of a default: means over all scans on which both found something."""
+    """A row for each other value of a default: means over all scans on which both found something, and how often only one
+    did."""
     rows = [["default", "instead", "scans", "ASSD, default", "ASSD, instead", "HD95, default", "HD95, instead",
-             "default nearer by ASSD"]]
+             "default nearer by ASSD", "lost, default", "lost, instead"]]
     for wanted in study.configuration.get("defaults", []):
         for name in wanted["methods"]:
             pairs = [(scores[study.ours], scores[name]) for key, scores in study.scores.items()
                      if name in scores and study.ours in scores and counts(study, wanted, key)]
             both = [pair for pair in pairs if not any(math.isinf(score.assd) for score in pair)]
-            if both:
-                means = [number(fmean(getattr(pair[side], measure) for pair in both))
+            if pairs:
+                means = [number(fmean(getattr(pair[side], measure) for pair in both) if both else math.nan)
                          for measure in MEASURES for side in (0, 1)]
                 nearer = sum(ours.assd < theirs.assd for ours, theirs in pairs)
-                rows.append([wanted["about"], name, str(len(both)), *means, f"{nearer} of {len(pairs)}"])
+                lost = [str(sum(math.isinf(pair[side].assd) for pair in pairs)) for side in (0, 1)]
+                rows.append([wanted["about"], name, str(len(pairs)), *means, f"{nearer} of {len(pairs)}", *lost])
     return rows
 
 
