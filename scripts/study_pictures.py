@@ -10,6 +10,7 @@ from study_scans import SCRIPTS, Setting
 
 IN_A_ROW = 3
 SIZE = "480x440"
+MOST_SECONDS = 60  # of one surface: what takes longer is told of, but not shown
 
 
 @dataclass(frozen=True)
@@ -29,24 +30,27 @@ def draw_figures(programs, scans, configuration):
         with tempfile.TemporaryDirectory(dir=scans.folder) as folder:
             setting = Setting(cases[wanted["case"]], wanted["noise"], 0, 1)
             scan = scans.make(setting, Path(folder) / "scan.nrrd")
-            drawn = draw(programs, scan, wanted, Path(folder))
-        if drawn:
-            figures.append(Figure(wanted["title"], wanted["about"], drawn))
+            rows, failures = draw(programs, scan, wanted, Path(folder))
+        if rows:
+            figures.append(Figure(wanted["title"], " ".join([wanted["about"], *failures]), rows))
     return figures
 
 
 def draw(programs, scan, wanted, folder):
-    """Rows of surfaces."""
-    made = []
+    """Rows of surfaces, and a sentence for each that could not be made."""
+    made, failures = [], []
     for number, surface in enumerate(wanted["surfaces"]):
         if all(map(programs.has, surface.get("needs", []))):
             file, report = folder / f"{number}.vtp", folder / f"{number}.json"
             words = [*surface["options"], "-q", "-o", file, "--report", report]
-            if programs.run("volsurf", scan, *words).returncode == 0:
+            process = programs.run("volsurf", scan, *words, most_seconds=MOST_SECONDS)
+            if process.returncode == 0:
                 made.append((file, caption(surface, report)))
+            else:
+                failures.append(f"{surface['caption']}: {process.stderr.strip()}.")
     rows = [made[start : start + IN_A_ROW] for start in range(0, len(made), IN_A_ROW)]
     pictures = [picture(row, folder / "picture.png", wanted.get("view")) for row in rows]
-    return [png for png in pictures if png]
+    return [png for png in pictures if png], failures
 
 
 def caption(surface, report):

@@ -49,14 +49,14 @@ class Programs:
                 return path
         sys.exit(f"study.py: {folder}: there is no program {name} in it")
 
-    def run(self, name, *words):
-        """Runs a program, or a script beside this one. One that hangs counts as one that fails."""
+    def run(self, name, *words, most_seconds=MOST_SECONDS):
+        """Runs a program, or a script beside this one. One that takes too long counts as one that fails."""
         start = [PYTHON, SCRIPTS / name] if name.endswith(".py") else [self.paths[name]]
         command = [*map(str, start), *map(str, words)]
         try:
-            return subprocess.run(command, capture_output=True, text=True, timeout=MOST_SECONDS, check=False)
+            return subprocess.run(command, capture_output=True, text=True, timeout=most_seconds, check=False)
         except subprocess.TimeoutExpired:
-            return subprocess.CompletedProcess(command, 1, "", f"{name}: stopped after {MOST_SECONDS} s")
+            return subprocess.CompletedProcess(command, 1, "", f"not done after {most_seconds} s")
 
     def must_run(self, name, *words):
         process = self.run(name, *words)
