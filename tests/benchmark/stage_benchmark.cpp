@@ -53,8 +53,8 @@ std::vector<float> whole_field(const EdgeField &field, const Grid &grid)
 
 PlaneSource planes_of(const std::vector<float> &values, const Index3 &size)
 {
-  return [&values, plane = size[0] * size[1]](std::int64_t z, float *out) {
-    std::copy_n(values.data() + z * plane, plane, out);
+  return [&values, nx = size[0], ny = size[1]](std::int64_t z, const RowRange &rows, float *out) {
+    std::copy_n(values.data() + (z * ny + rows.begin) * nx, rows.count() * nx, out);
   };
 }
 
@@ -74,9 +74,13 @@ struct Stages {
     mesh = extract();
   }
 
-  std::int64_t planes_per_slab() const { return large_slab(volume.grid.size[2]); }
-  StarSweep sweep() const { return sweep_stars(volume.grid.size, source, Exterior::none, planes_per_slab(), {}); }
-  Basins label(StarSweep &input) const { return label_basins(cells(), input, Exterior::none, planes_per_slab()); }
+  TileSize tile() const { return default_tile_size(volume.grid.size); }
+  StarSweep sweep() const { return sweep_stars(volume.grid.size, source, Exterior::none, tile(), {}); }
+  Basins label(StarSweep &input) const { return label_basins(cells(), input, Exterior::none, tile().planes); }
+  BasinTree join(const Basins &basins, StarSweep &input) const
+  {
+    return join_saddles(cells(), basins, input, tile().planes);
+  }
   CellGrid cells() const { return CellGrid(merge.cells.size); }
   FaceSet boundary() const { return find_boundary(merge.cells, sides); }
 
@@ -138,7 +142,7 @@ void saddles(benchmark::State &state, const Stages &stages)
     StarSweep input = stages.sweep();
     const Basins basins = stages.label(input);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(saddle_edges(stages.cells(), basins, input));
+    benchmark::DoNotOptimize(stages.join(basins, input));
   }
 }
 
@@ -148,9 +152,9 @@ void hierarchy(benchmark::State &state, const Stages &stages)
     state.PauseTiming();
     StarSweep input = stages.sweep();
     Basins basins = stages.label(input);
-    std::vector<SaddleEdge> edges = saddle_edges(stages.cells(), basins, input);
+    BasinTree tree = stages.join(basins, input);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(make_hierarchy(basins, edges, Exterior::none));
+    benchmark::DoNotOptimize(make_hierarchy(basins, tree, Exterior::none));
   }
   state.counters["basins"] = static_cast<double>(stages.merge.hierarchy.basin_count());
 }
@@ -204,7 +208,7 @@ constexpr std::pair<const char *, StageBenchmark> kStages[] = {
     {"gradient_one_voxel", gradient_one_voxel},
     {"sweep_stars", sweep},
     {"label_basins", labels},
-    {"saddle_edges", saddles},
+    {"join_saddles", saddles},
     {"make_hierarchy", hierarchy},
     {"cut", cut_at_delta},
     {"find_boundary", boundary},

@@ -14,7 +14,7 @@ namespace volsurf_plain {
 void smooth_row(const float *const *rows, const float *weights, int radius, std::int64_t count, float *out);
 void derive_row(const float *const *rows, const float *weights, int radius, std::int64_t count, float *out);
 void difference_row(const float *low, const float *high, float factor, std::int64_t count, float *out);
-std::int64_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
+std::int32_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
 void negate_row(const float *in, std::int64_t count, float *out);
 void newborn_masks(const std::array<const float *, 9> &rows, std::int64_t count, std::uint32_t *masks);
 

@@ -10,16 +10,16 @@ using namespace volsurf::support;
 namespace {
 
 /// At no more than about 20 deltas, as the oracle takes its time.
-void expect_kruskals_partition(const Field &field, const std::vector<std::int64_t> &slab_sizes)
+void expect_kruskals_partition(const Field &field, const std::vector<std::int64_t> &tile_planes)
 {
   for (const Exterior exterior : {Exterior::none, Exterior::infinite}) {
     const auto tree = naive_tree(field, exterior);
     const auto deltas = deltas_that_matter(positive_persistences(tree));
-    for (const std::int64_t planes_per_slab : slab_sizes) {
-      const RegionMerge merge = merge_of(field, exterior, planes_per_slab);
+    for (const std::int64_t planes : tile_planes) {
+      const RegionMerge merge = merge_of(field, exterior, {planes, planes + 1});
       for (std::size_t i = 0; i < deltas.size(); i += 1 + deltas.size() / 20)
         EXPECT_EQ(partition_of(merge, deltas[i]), naive_partition(tree, node_count(field, exterior), deltas[i]))
-            << "delta " << deltas[i] << ", " << planes_per_slab << " planes per slab";
+            << "delta " << deltas[i] << ", " << planes << " planes per tile";
     }
   }
 }
@@ -58,7 +58,7 @@ TEST(LargeFields, PlateausOverWholeSlabs)
 TEST(LargeFields, ConstantVolumeIsOneBasin)
 {
   const Field field = field_of({33, 18, 21}, [](const Index3 &) { return -1.0F; });
-  EXPECT_EQ(merge_of(field, Exterior::none, 4).hierarchy.basin_count(), 1U);
+  EXPECT_EQ(merge_of(field, Exterior::none, {4, 5}).hierarchy.basin_count(), 1U);
   expect_kruskals_partition(field, {1, 5, 32});
 }
 
@@ -86,7 +86,7 @@ TEST(LargeFields, VolumesThinnerThanASlab)
 TEST(LargeFields, LongPathThroughManySlabs)
 {
   const Field field = winding_path({25, 3, 30});
-  EXPECT_EQ(merge_of(field, Exterior::none, 3).hierarchy.basin_count(), 1U);
+  EXPECT_EQ(merge_of(field, Exterior::none, {3, 2}).hierarchy.basin_count(), 1U);
   expect_kruskals_partition(field, {1, 2, 7, 30});
 }
 

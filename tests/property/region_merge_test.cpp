@@ -23,7 +23,8 @@ RC_GTEST_PROP(RegionMerge, PartitionIsKruskalsForEveryDelta, ())
   const Field field = *random_field();
   const Exterior exterior = either_exterior();
   const auto tree = naive_tree(field, exterior);
-  const RegionMerge merge = merge_of(field, exterior, *rc::gen::inRange<std::int64_t>(1, 5));
+  const TileSize tile{*rc::gen::inRange<std::int64_t>(1, 5), *rc::gen::inRange<std::int64_t>(1, 5)};
+  const RegionMerge merge = merge_of(field, exterior, tile);
   for (const float delta : deltas_that_matter(positive_persistences(tree)))
     RC_ASSERT(partition_of(merge, delta) == naive_partition(tree, node_count(field, exterior), delta));
 }

@@ -14,15 +14,15 @@ namespace volsurf::support {
 
 inline PlaneSource planes_of(const Field &field)
 {
-  return [&field](std::int64_t z, float *out) {
-    const std::int64_t plane = field.size[0] * field.size[1];
-    std::copy_n(field.values.begin() + z * plane, plane, out);
+  return [&field](std::int64_t z, const RowRange &rows, float *out) {
+    const auto &[nx, ny, nz] = field.size;
+    std::copy_n(field.values.begin() + (z * ny + rows.begin) * nx, rows.count() * nx, out);
   };
 }
 
-inline RegionMerge merge_of(const Field &field, Exterior exterior, std::int64_t planes_per_slab = 2)
+inline RegionMerge merge_of(const Field &field, Exterior exterior, const TileSize &tile = {2, 2})
 {
-  return merge_regions(field.size, planes_of(field), {exterior, planes_per_slab});
+  return merge_regions(field.size, planes_of(field), {exterior, tile});
 }
 
 /// For each node (cells, then the exterior if there is one) the smallest node of its region.

@@ -37,15 +37,17 @@ SweepLinks links_of(const Field &field, const StarSweep &sweep)
   for (CellId cell = 0; cell < cells.count(); ++cell)
     if (sweep.codes[cell] != step_code(kNoStep))
       links.steps.insert(link_of_step(cells, cell, step_of(sweep.codes[cell])));
-  for (const SlabStars &slab : sweep.slabs)
-    for (const FaceCode face : slab.saddles)
-      links.saddles.insert(link_of_step(cells, static_cast<CellId>(face >> 3), static_cast<Step>(face & 7U)));
+  for (const StripStars &strip : sweep.strips)
+    for (const auto &plane : strip.saddles)
+      for (const Saddle &saddle : plane)
+        links.saddles.insert(
+            link_of_step(cells, static_cast<CellId>(saddle.face >> 3), static_cast<Step>(saddle.face & 7U)));
   return links;
 }
 
 StarSweep sweep_of(const Field &field, Exterior exterior)
 {
-  return sweep_stars(field.size, planes_of(field), exterior, 2, {});
+  return sweep_stars(field.size, planes_of(field), exterior, {2, 2}, {});
 }
 
 Exterior either_exterior()
@@ -80,10 +82,11 @@ RC_GTEST_PROP(StarSweep, RootsAreTheCellsWithoutAStepInAscendingOrder, ())
       without_step.push_back(cell);
   std::vector<CellId> roots;
   const auto max_vertex = naive_max_vertices(field);
-  for (const SlabStars &slab : sweep.slabs)
-    for (const Root &root : slab.roots) {
-      roots.push_back(root.cell);
-      RC_ASSERT(root.value == field.values[max_vertex[root.cell]]);
-    }
+  for (std::size_t plane = 0; plane + 1 < static_cast<std::size_t>(field.size[2]); ++plane)
+    for (const StripStars &strip : sweep.strips)
+      for (const Root &root : strip.roots[plane]) {
+        roots.push_back(root.cell);
+        RC_ASSERT(root.value == field.values[max_vertex[root.cell]]);
+      }
   RC_ASSERT(roots == without_step);
 }

@@ -33,17 +33,17 @@ double l2_norm(const HalfKernel &kernel)
   return std::sqrt(sum);
 }
 
-/// Memory that a thread uses for one plane after another.
-struct PlaneScratch {
-  std::vector<float> smooth_z;                // the plane, smoothed along z
-  std::vector<float> derived_z;               // the plane, derived along z
+/// Memory that a thread uses for some rows after others.
+struct RowScratch {
+  std::vector<float> smooth_z;                // the rows and those around them, smoothed along z
+  std::vector<float> derived_z;               // the same, derived along z
   std::array<std::vector<float>, 3> yz;       // rows done along z and y, padded by the kernel's radius
   std::array<std::vector<float>, 3> gradient; // rows of the three components
 };
 
-PlaneScratch &thread_scratch()
+RowScratch &thread_scratch()
 {
-  thread_local PlaneScratch scratch;
+  thread_local RowScratch scratch;
   return scratch;
 }
 
@@ -103,7 +103,8 @@ HalfKernel gaussian_derivative_kernel(double sigma_voxels)
 EdgeField::EdgeField(const Volume &volume, const FieldOptions &options)
     : volume_(volume), edge_map_(options.edge_map),
       sigma_mm_(options.edge_map ? 0 : checked_sigma_mm(volume.grid, options)),
-      non_finite_of_plane_(new std::atomic<std::int64_t>[static_cast<std::size_t>(volume.grid.size[2])]())
+      non_finite_of_row_(
+          new std::atomic<std::int32_t>[static_cast<std::size_t>(volume.grid.size[1] * volume.grid.size[2])]())
 {
   if (sigma_mm_ == 0)
     return;
@@ -115,20 +116,20 @@ EdgeField::EdgeField(const Volume &volume, const FieldOptions &options)
   }
 }
 
-void EdgeField::plane(std::int64_t z, float *out) const
+void EdgeField::rows(std::int64_t z, const RowRange &rows, float *out) const
 {
-  const std::int64_t plane_size = volume_.grid.size[0] * volume_.grid.size[1];
+  const auto &[nx, ny, nz] = volume_.grid.size;
   if (edge_map_)
-    negate_row(volume_.samples.data() + z * plane_size, plane_size, out);
+    negate_row(volume_.samples.data() + (z * ny + rows.begin) * nx, rows.count() * nx, out);
   else if (sigma_mm_ == 0)
-    central_difference_plane(z, out);
+    central_difference_rows(z, rows, out);
   else
-    gaussian_plane(z, out);
+    gaussian_rows(z, rows, out);
 }
 
 PlaneSource EdgeField::planes() const
 {
-  return [this](std::int64_t z, float *out) { plane(z, out); };
+  return [this](std::int64_t z, const RowRange &some, float *out) { rows(z, some, out); };
 }
 
 double EdgeField::noise_gain() const
@@ -150,11 +151,16 @@ double EdgeField::noise_gain() const
 
 std::int64_t EdgeField::non_finite_count() const
 {
-  return std::accumulate(non_finite_of_plane_.get(), non_finite_of_plane_.get() + volume_.grid.size[2],
-                         std::int64_t{0});
+  return std::accumulate(non_finite_of_row_.get(),
+                         non_finite_of_row_.get() + volume_.grid.size[1] * volume_.grid.size[2], std::int64_t{0});
 }
 
-void EdgeField::central_difference_plane(std::int64_t z, float *out) const
+std::atomic<std::int32_t> &EdgeField::non_finite_of(std::int64_t y, std::int64_t z) const
+{
+  return non_finite_of_row_[static_cast<std::size_t>(z * volume_.grid.size[1] + y)];
+}
+
+void EdgeField::central_difference_rows(std::int64_t z, const RowRange &rows, float *out) const
 {
   const auto &[nx, ny, nz] = volume_.grid.size;
   const Vec3 &spacing = volume_.grid.spacing_mm;
@@ -163,8 +169,7 @@ void EdgeField::central_difference_plane(std::int64_t z, float *out) const
   for (auto &row : gradient)
     row.resize(static_cast<std::size_t>(nx));
   const Difference dz = difference_at(z, nz, spacing[2]);
-  std::int64_t non_finite = 0;
-  for (std::int64_t y = 0; y < ny; ++y) {
+  for (std::int64_t y = rows.begin; y < rows.end; ++y, out += nx) {
     const float *const row = samples + (z * ny + y) * nx;
     const Difference inner = difference_at(1, 3, spacing[0]);
     difference_row(row, row + 2, inner.factor, nx - 2, gradient[0].data() + 1);
@@ -177,34 +182,34 @@ void EdgeField::central_difference_plane(std::int64_t z, float *out) const
     difference_row(plane + dy.low * nx, plane + dy.high * nx, dy.factor, nx, gradient[1].data());
     difference_row(samples + (dz.low * ny + y) * nx, samples + (dz.high * ny + y) * nx, dz.factor, nx,
                    gradient[2].data());
-    non_finite += negative_magnitude_row(gradient[0].data(), gradient[1].data(), gradient[2].data(), nx, out + y * nx);
+    non_finite_of(y, z) = negative_magnitude_row(gradient[0].data(), gradient[1].data(), gradient[2].data(), nx, out);
   }
-  non_finite_of_plane_[static_cast<std::size_t>(z)] = non_finite;
 }
 
-void EdgeField::gaussian_plane(std::int64_t z, float *out) const
+void EdgeField::gaussian_rows(std::int64_t z, const RowRange &rows, float *out) const
 {
   const auto &[nx, ny, nz] = volume_.grid.size;
   const auto &[kx, ky, kz] = kernels_;
   const int rx = static_cast<int>(kx.smooth.size()) - 1;
   const int ry = static_cast<int>(ky.smooth.size()) - 1;
   const int rz = static_cast<int>(kz.smooth.size()) - 1;
-  PlaneScratch &scratch = thread_scratch();
-  scratch.smooth_z.resize(static_cast<std::size_t>(nx * ny));
-  scratch.derived_z.resize(static_cast<std::size_t>(nx * ny));
+  const RowRange around{std::max<std::int64_t>(rows.begin - ry, 0), std::min(rows.end + ry, ny)};
+  const std::int64_t last = around.count() - 1;
+  RowScratch &scratch = thread_scratch();
+  scratch.smooth_z.resize(static_cast<std::size_t>(around.count() * nx));
+  scratch.derived_z.resize(static_cast<std::size_t>(around.count() * nx));
   for (auto &row : scratch.yz)
     row.resize(static_cast<std::size_t>(nx + 2 * rx));
   for (auto &row : scratch.gradient)
     row.resize(static_cast<std::size_t>(nx));
 
-  const auto along_z = rows_around(volume_.samples.data(), nx * ny, z, nz - 1, rz);
-  smooth_row(along_z.data(), kz.smooth.data(), rz, nx * ny, scratch.smooth_z.data());
-  derive_row(along_z.data(), kz.derive.data(), rz, nx * ny, scratch.derived_z.data());
+  const auto along_z = rows_around(volume_.samples.data() + around.begin * nx, nx * ny, z, nz - 1, rz);
+  smooth_row(along_z.data(), kz.smooth.data(), rz, around.count() * nx, scratch.smooth_z.data());
+  derive_row(along_z.data(), kz.derive.data(), rz, around.count() * nx, scratch.derived_z.data());
 
-  std::int64_t non_finite = 0;
-  for (std::int64_t y = 0; y < ny; ++y) {
-    const auto smooth_along_y = rows_around(scratch.smooth_z.data(), nx, y, ny - 1, ry);
-    const auto derived_along_y = rows_around(scratch.derived_z.data(), nx, y, ny - 1, ry);
+  for (std::int64_t y = rows.begin; y < rows.end; ++y, out += nx) {
+    const auto smooth_along_y = rows_around(scratch.smooth_z.data(), nx, y - around.begin, last, ry);
+    const auto derived_along_y = rows_around(scratch.derived_z.data(), nx, y - around.begin, last, ry);
     smooth_row(smooth_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[0].data() + rx);
     derive_row(smooth_along_y.data(), ky.derive.data(), ry, nx, scratch.yz[1].data() + rx);
     smooth_row(derived_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[2].data() + rx);
@@ -217,10 +222,9 @@ void EdgeField::gaussian_plane(std::int64_t z, float *out) const
       else
         smooth_row(along_x.data(), kx.smooth.data(), rx, nx, result);
     }
-    non_finite += negative_magnitude_row(scratch.gradient[0].data(), scratch.gradient[1].data(),
-                                         scratch.gradient[2].data(), nx, out + y * nx);
+    non_finite_of(y, z) = negative_magnitude_row(scratch.gradient[0].data(), scratch.gradient[1].data(),
+                                                 scratch.gradient[2].data(), nx, out);
   }
-  non_finite_of_plane_[static_cast<std::size_t>(z)] = non_finite;
 }
 
 Volume gradient_magnitude(const EdgeField &field, const Grid &grid)

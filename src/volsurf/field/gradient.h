@@ -43,10 +43,14 @@ public:
   /// Keeps a reference to `volume`. Throws UsageError where sigma is negative, not finite or above the limit.
   EdgeField(const Volume &volume, const FieldOptions &options);
 
-  /// Writes plane z of I. Thread-safe; O(samples of the plane * kernel radius).
-  void plane(std::int64_t z, float *out) const;
+  /// Writes rows of plane z of I. Thread-safe; O(samples of the rows * kernel radius), and as many rows as the kernel is
+  /// wide in addition.
+  void rows(std::int64_t z, const RowRange &rows, float *out) const;
 
-  /// plane() as a function. Keeps a reference to this field.
+  /// Writes plane z of I.
+  void plane(std::int64_t z, float *out) const { rows(z, {0, volume_.grid.size[1]}, out); }
+
+  /// rows() as a function. Keeps a reference to this field.
   PlaneSource planes() const;
 
   double sigma_mm() const { return sigma_mm_; }
@@ -55,12 +59,13 @@ public:
   /// largest over the axes, away from the border), per mm; 1 for an edge map.
   double noise_gain() const;
 
-  /// Samples without a finite gradient, over all planes that have been computed.
+  /// Samples without a finite gradient, over all rows that have been computed.
   std::int64_t non_finite_count() const;
 
 private:
-  void central_difference_plane(std::int64_t z, float *out) const;
-  void gaussian_plane(std::int64_t z, float *out) const;
+  void central_difference_rows(std::int64_t z, const RowRange &rows, float *out) const;
+  void gaussian_rows(std::int64_t z, const RowRange &rows, float *out) const;
+  std::atomic<std::int32_t> &non_finite_of(std::int64_t y, std::int64_t z) const;
 
   struct AxisKernels {
     HalfKernel smooth;
@@ -71,7 +76,7 @@ private:
   bool edge_map_;
   double sigma_mm_;
   std::array<AxisKernels, 3> kernels_; // per axis, derivatives in units per mm
-  std::unique_ptr<std::atomic<std::int64_t>[]> non_finite_of_plane_;
+  std::unique_ptr<std::atomic<std::int32_t>[]> non_finite_of_row_;
 };
 
 /// |grad g| as a volume, for users who want to see it.

@@ -71,7 +71,7 @@ void difference_row(const float *low, const float *high, float factor, std::int6
 }
 
 VOLSURF_VECTORISE
-std::int64_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out)
+std::int32_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out)
 {
   constexpr float kLargest = std::numeric_limits<float>::max();
   std::int32_t non_finite = 0;

@@ -19,7 +19,7 @@ void difference_row(const float *low, const float *high, float factor, std::int6
 
 /// out[i] = -sqrt((gx gx + gy gy) + gz gz), the most negative finite float where that is not finite. Returns the number
 /// of those.
-std::int64_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
+std::int32_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
 
 /// out[i] = 0 - in[i], which is never -0.
 void negate_row(const float *in, std::int64_t count, float *out);

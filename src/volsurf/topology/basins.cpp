@@ -170,16 +170,18 @@ private:
   std::array<std::int64_t, kNoStep> offsets_{};
 };
 
-Basins collect_roots(StarSweep &sweep, Exterior exterior)
+Basins collect_roots(const CellGrid &cells, StarSweep &sweep, Exterior exterior)
 {
   Basins basins;
-  for (SlabStars &slab : sweep.slabs) {
-    for (const Root &root : slab.roots) {
-      basins.roots.push_back(root.cell);
-      basins.values.push_back(root.value);
+  for (std::int64_t z = 0; z < cells.size[2]; ++z)
+    for (StripStars &strip : sweep.strips) {
+      std::vector<Root> &roots = strip.roots[static_cast<std::size_t>(z)];
+      for (const Root &root : roots) {
+        basins.roots.push_back(root.cell);
+        basins.values.push_back(root.value);
+      }
+      roots = {};
     }
-    slab.roots = {};
-  }
   if (exterior == Exterior::infinite) {
     basins.roots.push_back(-1);
     basins.values.push_back(std::numeric_limits<float>::infinity());
@@ -236,7 +238,7 @@ std::int64_t checked_planes_per_slab(const CellGrid &cells, std::int64_t planes_
 
 Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, std::int64_t planes_per_slab)
 {
-  Basins basins = collect_roots(sweep, exterior);
+  Basins basins = collect_roots(cells, sweep, exterior);
   basins.labels = std::move(sweep.codes);
   const bool has_exterior = exterior == Exterior::infinite;
   const BasinId exterior_basin = has_exterior ? static_cast<BasinId>(basins.roots.size() - 1) : kUnknown;

@@ -1,7 +1,6 @@
 #include "volsurf/topology/hierarchy.h"
 
 #include "volsurf/core/radix_sort.h"
-#include "volsurf/topology/basin_forest.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,38 +9,6 @@
 namespace volsurf {
 
 namespace {
-
-/// Basins are numbered in the order of their maximal vertices, which breaks ties.
-bool is_elder(const std::vector<float> &values, BasinId a, BasinId b)
-{
-  return values[a] > values[b] || (values[a] == values[b] && a < b);
-}
-
-/// Kruskal with the elder rule. Sets `persistence` of each basin that dies, and returns for each the basin on the other
-/// side of its last edge.
-std::vector<BasinId> join_basins(const std::vector<SaddleEdge> &edges, const std::vector<float> &values,
-                                 std::vector<float> &persistence)
-{
-  std::vector<BasinId> elder_side(values.size());
-  std::iota(elder_side.begin(), elder_side.end(), BasinId{0});
-  BasinForest components(values.size()); // D1: the representative is the eldest basin
-  for (const SaddleEdge &edge : edges) {
-    BasinId elder = components.find(edge.a);
-    BasinId younger = components.find(edge.b);
-    if (elder == younger)
-      continue;
-    BasinId side = edge.a;
-    if (is_elder(values, younger, elder)) {
-      std::swap(elder, younger);
-      side = edge.b;
-    }
-    // An edge map of both signs may overflow, but only the eldest basin's persistence is infinite.
-    persistence[younger] = std::min(values[younger] - edge.value, std::numeric_limits<float>::max());
-    elder_side[younger] = side;
-    components.join(elder, younger);
-  }
-  return elder_side;
-}
 
 std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
 {
@@ -55,34 +22,39 @@ std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
 /// their ancestors by then.
 std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank)
 {
-  BasinForest linked(elder_side.size());
+  std::vector<BasinId> linked(elder_side.size());
+  std::iota(linked.begin(), linked.end(), BasinId{0});
+  const auto find = [&](BasinId basin) {
+    while (linked[basin] != basin) {
+      linked[basin] = linked[linked[basin]];
+      basin = linked[basin];
+    }
+    return basin;
+  };
   std::vector<BasinId> ancestor(elder_side.size());
   for (auto basin = by_rank.rbegin(); basin != by_rank.rend(); ++basin) {
-    ancestor[*basin] = linked.find(elder_side[*basin]);
-    linked.join(ancestor[*basin], *basin);
+    ancestor[*basin] = find(elder_side[*basin]);
+    linked[*basin] = ancestor[*basin];
   }
   return ancestor;
 }
 
 } // namespace
 
-Hierarchy make_hierarchy(Basins &basins, std::vector<SaddleEdge> &edges, Exterior exterior)
+Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior)
 {
-  sort_edges(edges);
-
   Hierarchy hierarchy;
   hierarchy.roots = std::move(basins.roots);
   hierarchy.values = std::move(basins.values);
   hierarchy.cell_counts = std::move(basins.cell_counts);
   if (exterior == Exterior::infinite)
     hierarchy.exterior = static_cast<BasinId>(hierarchy.roots.size() - 1);
-  hierarchy.persistence.assign(hierarchy.roots.size(), std::numeric_limits<float>::infinity());
-  const auto elder_side = join_basins(edges, hierarchy.values, hierarchy.persistence);
+  hierarchy.persistence = std::move(tree.persistence);
   hierarchy.by_rank = sort_by_persistence(hierarchy.persistence);
   hierarchy.rank.resize(hierarchy.by_rank.size());
   for (std::uint32_t rank = 0; rank < hierarchy.by_rank.size(); ++rank)
     hierarchy.rank[hierarchy.by_rank[rank]] = rank;
-  hierarchy.ancestor = first_elder_ancestors(elder_side, hierarchy.by_rank);
+  hierarchy.ancestor = first_elder_ancestors(tree.elder_side, hierarchy.by_rank);
   return hierarchy;
 }
 

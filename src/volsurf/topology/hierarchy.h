@@ -1,6 +1,6 @@
-// The hierarchy of basins, which answers every delta: steps F and G of the region merge.
+// The hierarchy of basins, which answers every delta: step G of the region merge.
 //
-// In: the basins' maxima and the saddle edges between them. Out: one tree as flat arrays. A cut of it at delta is one
+// In: the tree of basins. Out: one tree as flat arrays. A cut of it at delta is one
 // pass over the basins; the cells need not be touched to know the regions.
 //
 // Source: the paper, algorithm 2; docs/method.md T3 and T4: the younger component of an edge with persistence < delta
@@ -35,8 +35,8 @@ struct Hierarchy {
   float largest_persistence() const { return by_rank.size() > 1 ? persistence[by_rank[1]] : 0.0F; }
 };
 
-/// Takes the arrays of `basins` but its labels. O(edges + basins), edges are sorted in place.
-Hierarchy make_hierarchy(Basins &basins, std::vector<SaddleEdge> &edges, Exterior exterior);
+/// Takes the arrays of `basins` but its labels, and those of the tree. O(basins).
+Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior);
 
 /// The regions at one delta.
 struct Regions {

@@ -9,11 +9,11 @@ RegionMerge merge_regions(const Index3 &samples, const PlaneSource &field, const
                           const Progress &progress)
 {
   const CellGrid cells(Index3{samples[0] - 1, samples[1] - 1, samples[2] - 1});
-  const std::int64_t planes_per_slab = options.planes_per_slab.value_or(large_slab(samples[2]));
-  StarSweep sweep = sweep_stars(samples, field, options.exterior, planes_per_slab, progress);
-  Basins basins = label_basins(cells, sweep, options.exterior, planes_per_slab);
-  std::vector<SaddleEdge> edges = saddle_edges(cells, basins, sweep);
-  RegionMerge merge{{cells.size, std::move(basins.labels)}, make_hierarchy(basins, edges, options.exterior)};
+  const TileSize tile = options.tile.value_or(default_tile_size(samples));
+  StarSweep sweep = sweep_stars(samples, field, options.exterior, tile, progress);
+  Basins basins = label_basins(cells, sweep, options.exterior, tile.planes);
+  BasinTree tree = join_saddles(cells, basins, sweep, tile.planes);
+  RegionMerge merge{{cells.size, std::move(basins.labels)}, make_hierarchy(basins, tree, options.exterior)};
   Hierarchy &hierarchy = merge.hierarchy;
   hierarchy.background = hierarchy.exterior
                              ? *hierarchy.exterior

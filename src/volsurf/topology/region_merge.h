@@ -16,7 +16,7 @@ namespace volsurf {
 
 struct MergeOptions {
   Exterior exterior = Exterior::none;
-  std::optional<std::int64_t> planes_per_slab = {}; ///< of the threads' work; does not change the result
+  std::optional<TileSize> tile = {}; ///< the threads' work; does not change the result
 };
 
 struct RegionMerge {

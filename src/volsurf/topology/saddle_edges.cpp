@@ -2,114 +2,145 @@
 
 #include "volsurf/core/parallel.h"
 #include "volsurf/core/radix_sort.h"
-#include "volsurf/topology/basin_forest.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace volsurf {
 
 namespace {
 
 /// Few enough for their edges and basins to stay in the cache while they are sorted and joined.
-constexpr std::size_t kFacesAtATime = 1U << 18;
+constexpr std::size_t kFacesInRun = 1U << 18;
 
-/// Some saddle faces of a slab, one after the other.
-struct FaceRun {
-  const SlabStars &stars;
-  std::size_t begin;
-  std::size_t end;
+/// The same for what is left of runs.
+constexpr std::int64_t kPlanesInBlock = 64;
 
-  CellId cell(std::size_t i) const { return static_cast<CellId>(stars.saddles[i] >> 3); }
-  Step step(std::size_t i) const { return static_cast<Step>(stars.saddles[i] & 7U); }
+/// Half-open range of planes of samples.
+struct PlaneRange {
+  std::int64_t begin;
+  std::int64_t end;
 };
 
-std::vector<SaddleEdge> edges_of(const FaceRun &faces, const CellGrid &cells, const Basins &basins)
-{
-  std::vector<SaddleEdge> edges;
-  edges.reserve(faces.end - faces.begin);
-  for (std::size_t i = faces.begin; i < faces.end; ++i) {
-    const CellId cell = faces.cell(i);
-    const Step step = faces.step(i);
-    const BasinId a = basins.labels[cell];
-    const BasinId b =
-        step == kToExterior ? static_cast<BasinId>(basins.roots.size() - 1) : basins.labels[cell + cells.offset(step)];
-    if (a != b)
-      edges.push_back({faces.stars.saddle_values[i], a, b});
+class SaddleJoiner {
+public:
+  SaddleJoiner(const CellGrid &cells, const Basins &basins, StarSweep &sweep)
+      : cells_(cells), basins_(basins), sweep_(sweep), tree_(basins.roots.size())
+  {
   }
-  return edges;
-}
 
-/// Half-open range of basins.
-struct BasinRange {
-  BasinId begin;
-  BasinId end;
+  /// Returns the edges of a block's planes that are left.
+  std::vector<SaddleEdge> join_block(const PlaneRange &block)
+  {
+    std::vector<SaddleEdge> edges;
+    for (PlaneRange run{block.begin, block.begin}; run.begin < block.end; run.begin = run.end) {
+      std::vector<SaddleEdge> run_edges = edges_of_run(run, block.end);
+      join(run, run_edges);
+      edges.insert(edges.end(), run_edges.begin(), run_edges.end());
+    }
+    join(block, edges);
+    return edges;
+  }
 
-  bool contains(BasinId basin) const { return basin >= begin && basin < end; }
+  BasinTree join_volume(std::vector<SaddleEdge> edges)
+  {
+    join({0, plane_count()}, edges);
+    return std::move(tree_);
+  }
+
+private:
+  std::int64_t plane_count() const { return cells_.size[2] + 1; }
+
+  /// Ends a run where it has enough faces and returns its edges in the order K of faces of equal value.
+  std::vector<SaddleEdge> edges_of_run(PlaneRange &run, std::int64_t end)
+  {
+    std::vector<SaddleEdge> edges;
+    for (std::size_t faces = 0; run.end < end && faces < kFacesInRun; ++run.end)
+      for (StripStars &strip : sweep_.strips) {
+        auto &saddles = strip.saddles[static_cast<std::size_t>(run.end)];
+        faces += saddles.size();
+        add_edges(saddles, edges);
+        saddles = {};
+      }
+    return edges;
+  }
+
+  void add_edges(const std::vector<Saddle> &saddles, std::vector<SaddleEdge> &edges) const
+  {
+    for (const Saddle &saddle : saddles) {
+      const auto cell = static_cast<CellId>(saddle.face >> 3);
+      const auto step = static_cast<Step>(saddle.face & 7U);
+      const BasinId a = basins_.labels[cell];
+      const BasinId b = step == kToExterior ? static_cast<BasinId>(basins_.roots.size() - 1)
+                                            : basins_.labels[cell + cells_.offset(step)];
+      if (a != b)
+        edges.push_back({saddle.value, a, b});
+    }
+  }
+
+  /// Sorts edges by decreasing value, those of equal value in the order K, and joins what the planes decide.
+  void join(const PlaneRange &planes, std::vector<SaddleEdge> &edges)
+  {
+    radix_sort(edges, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
+    join_basins(basins_.values, block_of(planes), edges, tree_);
+  }
+
+  /// The basins around the planes: as far from them as they are many. Closed are those that have no cell in the planes
+  /// of cells right below and right above, which other samples have in their stars, too.
+  BasinBlock block_of(const PlaneRange &planes) const
+  {
+    const bool is_volume = planes.begin == 0 && planes.end == plane_count();
+    if (is_volume)
+      return {{0, static_cast<BasinId>(basins_.roots.size())}, std::vector<std::uint8_t>(basins_.roots.size())};
+    const std::int64_t margin = planes.end - planes.begin;
+    const BasinRange inner{first_basin(planes.begin), first_basin(planes.end - 1)};
+    BasinBlock block{{first_basin(planes.begin - margin), first_basin(planes.end - 1 + margin)}, {}};
+    block.open.assign(block.basins.count(), 1);
+    if (inner.begin < inner.end)
+      std::fill_n(block.open.begin() + (inner.begin - block.basins.begin), inner.count(), std::uint8_t{0});
+    if (planes.begin > 0)
+      open_basins_in(planes.begin - 1, block);
+    if (planes.end < plane_count())
+      open_basins_in(planes.end - 1, block);
+    return block;
+  }
+
+  /// The first basin, but the exterior's, with its root in a plane of cells or above.
+  BasinId first_basin(std::int64_t plane) const
+  {
+    const auto &roots = basins_.roots;
+    const auto end = roots.end() - (roots.back() < 0 ? 1 : 0);
+    return static_cast<BasinId>(std::lower_bound(roots.begin(), end, cells_.id(0, 0, plane)) - roots.begin());
+  }
+
+  void open_basins_in(std::int64_t plane, BasinBlock &block) const
+  {
+    const BasinId *const labels = basins_.labels.data() + cells_.id(0, 0, plane);
+    for (std::int64_t i = 0; i < cells_.plane; ++i)
+      if (block.basins.contains(labels[i]))
+        block.open[labels[i] - block.basins.begin] = 1;
+  }
+
+  const CellGrid &cells_;
+  const Basins &basins_;
+  StarSweep &sweep_;
+  BasinTree tree_;
 };
-
-/// The basins with their roots among the cells of the faces, and as many planes before and after them: nearly all that
-/// the faces lie between.
-BasinRange basins_around(const FaceRun &faces, const Basins &basins)
-{
-  const CellId first = faces.cell(faces.begin);
-  const CellId last = faces.cell(faces.end - 1);
-  const CellId margin = std::abs(last - first);
-  const auto end = basins.roots.end() - (basins.roots.back() < 0 ? 1 : 0); // the exterior's basin is none of them
-  const auto basins_before = [&](CellId cell) {
-    return static_cast<BasinId>(std::lower_bound(basins.roots.begin(), end, cell) - basins.roots.begin());
-  };
-  return {basins_before(std::min(first, last) - margin), basins_before(std::max(first, last) + margin)};
-}
-
-/// Removes sorted edges that close a cycle of edges between basins of the range.
-void remove_cycles(std::vector<SaddleEdge> &edges, const BasinRange &range)
-{
-  BasinForest forest(range.end - range.begin);
-  const auto closes_cycle = [&](const SaddleEdge &edge) {
-    if (!range.contains(edge.a) || !range.contains(edge.b))
-      return false;
-    const BasinId a = forest.find(edge.a - range.begin);
-    const BasinId b = forest.find(edge.b - range.begin);
-    forest.join(a, b);
-    return a == b;
-  };
-  edges.erase(std::remove_if(edges.begin(), edges.end(), closes_cycle), edges.end());
-}
-
-/// The edges of a slab, sorted within each run of faces.
-std::vector<SaddleEdge> edges_of_slab(const SlabStars &stars, const CellGrid &cells, const Basins &basins)
-{
-  std::vector<SaddleEdge> kept;
-  for (std::size_t begin = 0; begin < stars.saddles.size(); begin += kFacesAtATime) {
-    const FaceRun faces{stars, begin, std::min(begin + kFacesAtATime, stars.saddles.size())};
-    std::vector<SaddleEdge> edges = edges_of(faces, cells, basins);
-    sort_edges(edges);
-    remove_cycles(edges, basins_around(faces, basins));
-    kept.insert(kept.end(), edges.begin(), edges.end());
-  }
-  return kept;
-}
 
 } // namespace
 
-void sort_edges(std::vector<SaddleEdge> &edges)
+BasinTree join_saddles(const CellGrid &cells, const Basins &basins, StarSweep &sweep, std::int64_t planes_per_block)
 {
-  radix_sort(edges, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
-}
-
-std::vector<SaddleEdge> saddle_edges(const CellGrid &cells, const Basins &basins, StarSweep &sweep)
-{
-  std::vector<std::vector<SaddleEdge>> edges(sweep.slabs.size());
-  parallel_for_slabs(static_cast<std::int64_t>(sweep.slabs.size()), 1, [&](const Slab &slab) {
-    SlabStars &stars = sweep.slabs[static_cast<std::size_t>(slab.index)];
-    edges[static_cast<std::size_t>(slab.index)] = edges_of_slab(stars, cells, basins);
-    stars = {};
+  const std::int64_t planes = cells.size[2] + 1;
+  planes_per_block = std::min(planes_per_block, kPlanesInBlock);
+  SaddleJoiner joiner(cells, basins, sweep);
+  std::vector<std::vector<SaddleEdge>> edges(static_cast<std::size_t>(slab_count(planes, planes_per_block)));
+  parallel_for_slabs(planes, planes_per_block, [&](const Slab &block) {
+    edges[static_cast<std::size_t>(block.index)] = joiner.join_block({block.begin, block.end});
   });
-  std::vector<SaddleEdge> all;
-  for (const auto &slab_edges : edges)
-    all.insert(all.end(), slab_edges.begin(), slab_edges.end());
-  return all;
+  std::vector<SaddleEdge> left;
+  for (const auto &block_edges : edges)
+    left.insert(left.end(), block_edges.begin(), block_edges.end());
+  return joiner.join_volume(std::move(left));
 }
 
 } // namespace volsurf

@@ -1,29 +1,20 @@
-// The graph that is left when basins are contracted: step E of the region merge, and what of F needs no other slab.
+// The tree of basins: steps E and F of the region merge.
 //
-// In: the basins and the saddle faces of a sweep. Out: edges among which are all those of the tree of basins; hardly
-// more than there are basins (0.02 per sample in noise, 0.009 in a scan), where saddle faces are four to five times as
-// many.
+// In: the basins and the saddle faces of a sweep, each of which is an edge between two basins. Out: where each basin
+// joins an elder one.
 //
-// Guarantee: a Kruskal over some of the edges leaves out only what the one over all rejects, too, since the other edges
-// of a cycle that an edge closes come earlier in K. So most of them are sorted and judged in parallel, in runs that
-// stay in the cache.
+// Guarantee: the tree of a Kruskal over all edges in order K. Passes: runs of planes whose edges stay in the cache,
+// blocks of runs, then the volume. Each sorts and joins what those before have left; runs and blocks do so in parallel,
+// and only about one edge in a hundred is left for the last pass.
 #pragma once
 
 #include "volsurf/topology/basins.h"
+#include "volsurf/topology/elder_rule.h"
 
 namespace volsurf {
 
-/// A saddle face, seen as an edge between two basins.
-struct SaddleEdge {
-  float value; ///< I of the face
-  BasinId a;
-  BasinId b;
-};
-
-/// Saddle faces between different basins, those of equal value in the order K. Empties the sweep's saddles.
-std::vector<SaddleEdge> saddle_edges(const CellGrid &cells, const Basins &basins, StarSweep &sweep);
-
-/// Sorts edges by decreasing value; those of equal value keep their order.
-void sort_edges(std::vector<SaddleEdge> &edges);
+/// Empties the sweep's saddles. Blocks have at most `planes_per_block` planes; they do not change the result.
+/// O(saddles + basins).
+BasinTree join_saddles(const CellGrid &cells, const Basins &basins, StarSweep &sweep, std::int64_t planes_per_block);
 
 } // namespace volsurf

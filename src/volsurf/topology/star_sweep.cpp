@@ -41,56 +41,68 @@ struct IndexRange {
 };
 
 constexpr unsigned kAllOctants = 0xFF;
+constexpr unsigned kLowerRow = 0x33; // the octants below the sample's row
+constexpr unsigned kUpperRow = 0xCC;
 constexpr unsigned kLowerPlane = 0x0F; // the octants below the sample's plane
 constexpr unsigned kUpperPlane = 0xF0;
 
-/// Sweeps one slab: the samples of its planes and the cells above them.
-class SlabSweep {
+/// Sweeps one tile: the samples of some rows in some planes and the cells above them.
+class TileSweep {
 public:
-  SlabSweep(const Index3 &samples, const PlaneSource &field, Exterior exterior, const BorderRule &border,
-            BasinId *codes, SlabStars &stars)
-      : samples_(samples), cells_(cell_size_of(samples)), exterior_(exterior), border_(border), tables_(star_tables()),
-        window_(samples, field, exterior), codes_(codes), stars_(stars), masks_(static_cast<std::size_t>(samples[0])),
-        found_(static_cast<std::size_t>(samples[0]))
+  TileSweep(const Index3 &samples, const RowRange &rows, const PlaneSource &field, Exterior exterior,
+            const BorderRule &border, BasinId *codes, StripStars &stars)
+      : samples_(samples), cells_(cell_size_of(samples)), rows_(rows), exterior_(exterior), border_(border),
+        tables_(star_tables()), window_(samples, rows, field, exterior), codes_(codes), stars_(stars),
+        masks_(static_cast<std::size_t>(samples[0])), found_(static_cast<std::size_t>(samples[0]))
   {
   }
 
-  void sweep_plane(std::int64_t z, const Slab &slab)
+  void sweep_plane(std::int64_t z, const Slab &planes)
   {
     window_.advance_to(z);
-    for (std::int64_t y = 0; z < cells_.size[2] && y < cells_.size[1]; ++y)
+    for (std::int64_t y = rows_.begin; z < cells_.size[2] && y < std::min(rows_.end, cells_.size[1]); ++y)
       first_steps(window_.cell_rows(y), cells_.size[0], codes_ + cells_.id(0, y, z));
-    sweep_samples(z, z == slab.begin && z > 0 ? kUpperPlane : kAllOctants);
-    if (z + 1 == slab.end && slab.end < samples_[2])
-      sweep_samples(slab.end, kLowerPlane);
+    sweep_samples(z, z == planes.begin && z > 0 ? kUpperPlane : kAllOctants);
+    stars_.saddles[static_cast<std::size_t>(z)] = saddles_;
+    if (z + 1 == planes.end && planes.end < samples_[2])
+      sweep_samples(planes.end, kLowerPlane);
   }
 
 private:
-  /// Of the stars of plane z, the octants given are in the slab. The saddles are if the upper ones are.
+  /// Of the stars of plane z, the octants given may be in the tile. Saddles are if the upper ones are.
   void sweep_samples(std::int64_t z, unsigned octants)
   {
-    const std::size_t plane_begin = stars_.roots.size();
-    for (std::int64_t y = 0; y < samples_[1]; ++y) {
-      const std::size_t row_begin = stars_.roots.size();
-      const StarRows rows = window_.star_rows(y, z);
-      newborn_masks(rows, samples_[0], masks_.data());
-      complete_border(y, z);
-      find_deep_steps(y, z, octants, rows[4]);
-      if (octants != kLowerPlane)
-        find_saddles(y, z, rows[4]);
-      if (y == 1)
-        merge_roots(plane_begin, row_begin);
-    }
-    if (z == 1)
-      merge_roots(0, plane_begin);
+    roots_.clear();
+    saddles_.clear();
+    for (std::int64_t y = rows_.begin; y < rows_.end; ++y)
+      sweep_row(y, z, octants & (y == rows_.begin && y > 0 ? kUpperRow : kAllOctants));
+    if (rows_.end < samples_[1])
+      sweep_row(rows_.end, z, octants & kLowerRow);
+    add_roots(std::max<std::int64_t>(z - 1, 0));
   }
 
-  /// The first two rows, and planes, of samples have their roots in the same row, and plane, of cells.
-  void merge_roots(std::size_t begin, std::size_t middle)
+  void sweep_row(std::int64_t y, std::int64_t z, unsigned octants)
   {
-    const auto roots = stars_.roots.begin();
-    std::inplace_merge(roots + static_cast<std::ptrdiff_t>(begin), roots + static_cast<std::ptrdiff_t>(middle),
-                       stars_.roots.end(), [](const Root &a, const Root &b) { return a.cell < b.cell; });
+    const StarRows rows = window_.star_rows(y, z);
+    newborn_masks(rows, samples_[0], masks_.data());
+    complete_border(y, z);
+    find_deep_steps(y, z, octants, rows[4]);
+    if ((octants & kUpperRow & kUpperPlane) != 0)
+      find_saddles(y, z, rows[4]);
+  }
+
+  /// Adds the roots of a plane of samples to those in a plane of cells. The first two rows, and planes, of samples have
+  /// their roots in the same row, and plane, of cells.
+  void add_roots(std::int64_t cell_plane)
+  {
+    if (roots_.empty())
+      return;
+    std::vector<Root> &roots = stars_.roots[static_cast<std::size_t>(cell_plane)];
+    roots.insert(roots.end(), roots_.begin(), roots_.end());
+    const CellId first_sorted = cells_.id(0, cell_plane == 0 ? cells_.size[1] : 1, cell_plane);
+    const auto in_disorder = std::partition_point(roots.begin(), roots.end(),
+                                                  [&](const Root &root) { return root.cell < first_sorted; });
+    std::sort(roots.begin(), in_disorder, [](const Root &a, const Root &b) { return a.cell < b.cell; });
   }
 
   /// Those x of the row for which condition(mask) is true. Without a branch for each: they are few, but nowhere
@@ -122,7 +134,7 @@ private:
         const bool is_root = is_maximum && octant == root;
         codes_[cell] = step_code(is_root ? kNoStep : step_across(octant, axis));
         if (is_root)
-          stars_.roots.push_back({cell, values[x]});
+          roots_.push_back({cell, values[x]});
       }
     }
   }
@@ -169,10 +181,8 @@ private:
     for (int octant = 0; octant < kOctants; ++octant)
       star.values[octant] = rows.value(v[0], octant);
     const SaddleFaces saddles = find_saddle_faces(star, tables_.parts_outside(star.cells, star.faces));
-    for (int i = 0; i < saddles.count; ++i) {
-      stars_.saddles.push_back(code_of(saddles.faces[i], v, real));
-      stars_.saddle_values.push_back(value);
-    }
+    for (int i = 0; i < saddles.count; ++i)
+      saddles_.push_back({code_of(saddles.faces[i], v, real), value});
   }
 
   FaceCode code_of(int star_face, const Index3 &v, unsigned real) const
@@ -187,32 +197,49 @@ private:
 
   Index3 samples_;
   CellGrid cells_;
+  RowRange rows_;
   Exterior exterior_;
   const BorderRule &border_;
   const StarTables &tables_;
   FieldWindow window_;
   BasinId *codes_;
-  SlabStars &stars_;
+  StripStars &stars_;
+  std::vector<Root> roots_;         // of a plane
+  std::vector<Saddle> saddles_;     // of a plane
   std::vector<NewbornMask> masks_;  // of a row of samples
   std::vector<std::int64_t> found_; // samples of a row, what samples_where() gives out
 };
 
 } // namespace
 
-StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior exterior, std::int64_t planes_per_slab,
+TileSize default_tile_size(const Index3 &samples)
+{
+  constexpr std::int64_t kSamplesInStrip = std::int64_t{1} << 14; // of a plane: what a tile holds is 20 times as much
+  const std::int64_t strips = slab_count(samples[1], std::max<std::int64_t>(kSamplesInStrip / samples[0], 8));
+  return {large_slab(samples[2]), slab_count(samples[1], strips)};
+}
+
+StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior exterior, const TileSize &tile,
                       const Progress &progress)
 {
   const CellGrid cells(cell_size_of(samples));
+  const auto planes = static_cast<std::size_t>(samples[2]);
+  const std::int64_t strips = slab_count(samples[1], tile.rows);
   StarSweep sweep{Buffer<BasinId>(cells.count()), {}};
-  sweep.slabs.resize(static_cast<std::size_t>(slab_count(samples[2], planes_per_slab)));
+  sweep.strips.assign(static_cast<std::size_t>(strips), {std::vector<std::vector<Root>>(planes - 1),
+                                                         std::vector<std::vector<Saddle>>(planes)});
   const BorderRule border(samples, exterior);
   std::atomic<std::int64_t> planes_done{0};
-  parallel_for_slabs(samples[2], planes_per_slab, [&](const Slab &slab) {
-    SlabSweep slab_sweep(samples, field, exterior, border, sweep.codes.data(),
-                         sweep.slabs[static_cast<std::size_t>(slab.index)]);
-    for (std::int64_t z = slab.begin; z < slab.end; ++z) {
-      slab_sweep.sweep_plane(z, slab);
-      report_progress(progress, "merge", static_cast<double>(++planes_done) / static_cast<double>(samples[2]));
+  parallel_for_slabs(strips * slab_count(samples[2], tile.planes), 1, [&](const Slab &work) {
+    const std::int64_t strip = work.index % strips;
+    const std::int64_t slab = work.index / strips;
+    const RowRange rows{strip * tile.rows, std::min((strip + 1) * tile.rows, samples[1])};
+    const Slab in_planes{slab, slab * tile.planes, std::min((slab + 1) * tile.planes, samples[2])};
+    TileSweep tile_sweep(samples, rows, field, exterior, border, sweep.codes.data(),
+                         sweep.strips[static_cast<std::size_t>(strip)]);
+    for (std::int64_t z = in_planes.begin; z < in_planes.end; ++z) {
+      tile_sweep.sweep_plane(z, in_planes);
+      report_progress(progress, "merge", static_cast<double>(++planes_done) / static_cast<double>(strips * samples[2]));
     }
   });
   return sweep;

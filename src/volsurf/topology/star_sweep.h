@@ -5,8 +5,8 @@
 // faces that can be edges of the tree.
 //
 // Guarantees: exact for Kruskal in order K; each step is written once; roots ascend by cell, saddle faces follow the
-// order of their samples, and K within a star. Neither slabs nor threads can change any of it. Per slab it holds four
-// planes of I and five of maxima.
+// order of their samples, and K within a star. Neither tiles nor threads can change any of it. Per tile it holds four
+// planes of I and five of maxima, of a strip of rows that is narrow enough for all of them to stay in a core's cache.
 #pragma once
 
 #include "volsurf/core/buffer.h"
@@ -22,26 +22,40 @@ namespace volsurf {
 /// A face named by one of its cells and the step across it, 8 * cell + step.
 using FaceCode = std::uint64_t;
 
+/// A saddle face, in 12 bytes: there are many.
+struct __attribute__((packed, aligned(4))) Saddle {
+  FaceCode face;
+  float value; ///< its I
+};
+
 /// The cell without a step that stands for its basin.
 struct Root {
   CellId cell;
   float value; ///< its I
 };
 
-/// What one slab of samples contributes.
-struct SlabStars {
-  std::vector<Root> roots;
-  std::vector<FaceCode> saddles;
-  std::vector<float> saddle_values; ///< I of each saddle face
+/// The work of a thread: a strip of rows in some planes.
+struct TileSize {
+  std::int64_t planes;
+  std::int64_t rows;
+};
+
+/// What one strip of rows contributes.
+struct StripStars {
+  std::vector<std::vector<Root>> roots;     ///< per plane of cells
+  std::vector<std::vector<Saddle>> saddles; ///< per plane of samples
 };
 
 struct StarSweep {
-  Buffer<BasinId> codes;        ///< step_code() of each cell
-  std::vector<SlabStars> slabs; ///< in ascending order
+  Buffer<BasinId> codes;          ///< step_code() of each cell
+  std::vector<StripStars> strips; ///< in ascending order
 };
 
-/// Sweeps the stars of all samples, in parallel over slabs of `planes_per_slab` planes. O(samples).
-StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior exterior, std::int64_t planes_per_slab,
+/// Tiles of these volumes that suit the caches and the threads.
+TileSize default_tile_size(const Index3 &samples);
+
+/// Sweeps the stars of all samples, in parallel over tiles. O(samples).
+StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior exterior, const TileSize &tile,
                       const Progress &progress);
 
 } // namespace volsurf
