@@ -67,15 +67,15 @@ std::vector<std::size_t> partition_within(const RegionMerge &merge, float delta)
 
 } // namespace
 
-RC_GTEST_PROP(RegionMerge, SlabsAndThreadsDoNotChangeAnything, ())
+RC_GTEST_PROP(RegionMerge, TilesAndThreadsDoNotChangeAnything, ())
 {
   const Field field = *random_field(9);
   const Exterior exterior = either_exterior();
-  const RegionMerge expected = merge_of(field, exterior, field.size[2]);
+  const RegionMerge expected = merge_of(field, exterior, {field.size[2], field.size[1]});
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
     for (std::int64_t planes = 1; planes < field.size[2]; ++planes)
-      require_same(merge_of(field, exterior, planes), expected);
+      require_same(merge_of(field, exterior, {planes, threads}), expected);
   }
 }
 

@@ -24,6 +24,7 @@ namespace volsurf {
 /// Eight numbers at a time, at any address. Where there are no registers of that width the compiler takes two halves.
 /// Comparisons give masks, and mask ? a : b chooses lane by lane, so that one template serves single numbers, too.
 using Float32x8 = float __attribute__((vector_size(32), aligned(4), may_alias));
+using Float64x4 = double __attribute__((vector_size(32), aligned(4), may_alias));
 using UInt32x8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
 using UInt8x8 = unsigned char __attribute__((vector_size(8), aligned(1), may_alias));
 constexpr int kLanes = 8;

@@ -204,14 +204,14 @@ void EdgeField::gaussian_rows(std::int64_t z, const RowRange &rows, float *out) 
     row.resize(static_cast<std::size_t>(nx));
 
   const auto along_z = rows_around(volume_.samples.data() + around.begin * nx, nx * ny, z, nz - 1, rz);
-  smooth_row(along_z.data(), kz.smooth.data(), rz, around.count() * nx, scratch.smooth_z.data());
-  derive_row(along_z.data(), kz.derive.data(), rz, around.count() * nx, scratch.derived_z.data());
+  smooth_and_derive_row(along_z.data(), kz.smooth.data(), kz.derive.data(), rz, around.count() * nx,
+                        scratch.smooth_z.data(), scratch.derived_z.data());
 
   for (std::int64_t y = rows.begin; y < rows.end; ++y, out += nx) {
     const auto smooth_along_y = rows_around(scratch.smooth_z.data(), nx, y - around.begin, last, ry);
     const auto derived_along_y = rows_around(scratch.derived_z.data(), nx, y - around.begin, last, ry);
-    smooth_row(smooth_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[0].data() + rx);
-    derive_row(smooth_along_y.data(), ky.derive.data(), ry, nx, scratch.yz[1].data() + rx);
+    smooth_and_derive_row(smooth_along_y.data(), ky.smooth.data(), ky.derive.data(), ry, nx, scratch.yz[0].data() + rx,
+                          scratch.yz[1].data() + rx);
     smooth_row(derived_along_y.data(), ky.smooth.data(), ry, nx, scratch.yz[2].data() + rx);
     for (int component = 0; component < 3; ++component) {
       pad_row(scratch.yz[component], rx);

@@ -14,6 +14,10 @@ void smooth_row(KernelRows rows, const float *weights, int radius, std::int64_t 
 /// out[i] = sum over k of w[k] (rows[radius + k][i] - rows[radius - k][i]).
 void derive_row(KernelRows rows, const float *weights, int radius, std::int64_t count, float *out);
 
+/// Both at once, which loads the rows once.
+void smooth_and_derive_row(KernelRows rows, const float *smooth, const float *derive, int radius, std::int64_t count,
+                           float *smooth_out, float *derive_out);
+
 /// out[i] = (high[i] - low[i]) * factor.
 void difference_row(const float *low, const float *high, float factor, std::int64_t count, float *out);
 

@@ -78,9 +78,9 @@ StarRows FieldWindow::star_rows(std::int64_t y, std::int64_t z) const
   return rows;
 }
 
-CellRow FieldWindow::octant_row(std::int64_t y, std::int64_t z, int i) const
+const float *FieldWindow::octant_row(std::int64_t y, std::int64_t z, int i) const
 {
-  return framed_row(y - 1 + (i & 1), z - 1 + (i >> 1));
+  return framed_row(y - 1 + (i & 1), z - 1 + (i >> 1)).values;
 }
 
 CellRows FieldWindow::cell_rows(std::int64_t y) const

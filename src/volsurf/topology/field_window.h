@@ -27,9 +27,9 @@ public:
   /// one. Rows outside the volume are replaced by the nearest ones.
   StarRows star_rows(std::int64_t y, std::int64_t z) const;
 
-  /// The cells of octants 2 * i and 2 * i + 1 of the samples of row y, plane z or z + 1, in the strip; octant o of
+  /// I of the cells of octants 2 * i and 2 * i + 1 of the samples of row y, plane z or z + 1, in the strip; octant o of
   /// sample x is at x + (o & 1).
-  CellRow octant_row(std::int64_t y, std::int64_t z, int i) const;
+  const float *octant_row(std::int64_t y, std::int64_t z, int i) const;
 
   /// The cells of row y of the cell grid, in the strip, and their neighbours.
   CellRows cell_rows(std::int64_t y) const;

@@ -3,6 +3,7 @@
 #include "volsurf/core/vectorise.h"
 #include "volsurf/topology/star_tables.h"
 
+#include <cstring>
 #include <limits>
 
 namespace volsurf {
@@ -52,9 +53,25 @@ template <typename Lanes> VOLSURF_LANES_INLINE Lanes least(Lanes lanes)
   return lesser(lanes, across<0>(lanes));
 }
 
+/// Loads the values two at a time: single ones, stored and loaded again as a whole, would stall the loads.
+VOLSURF_LANES_INLINE Float32x8 values_of(const Star &star)
+{
+  const auto pair = [&](int i) {
+    double both;
+    std::memcpy(&both, star.pairs[i], sizeof both);
+    return both;
+  };
+  const Float64x4 pairs = {pair(0), pair(1), pair(2), pair(3)};
+  return reinterpret_cast<const Float32x8 &>(pairs);
+}
+
 VOLSURF_LANES_INLINE UInt32x8 lanes_of_table(const std::array<std::uint8_t, kOctants> &entry)
 {
-  return __builtin_convertvector(lanes_at<UInt8x8>(entry.data()), UInt32x8);
+  constexpr UInt32x8 kByte = {0, 8, 16, 24, 0, 8, 16, 24};
+  std::array<unsigned, 2> words;
+  std::memcpy(words.data(), entry.data(), sizeof words);
+  const UInt32x8 lanes = {words[0], words[0], words[0], words[0], words[1], words[1], words[1], words[1]};
+  return lanes >> kByte & 0xFFU; // compilers convert vectors of bytes one by one
 }
 
 /// All ones in the lanes of a set.
@@ -135,7 +152,7 @@ VOLSURF_LANES_INLINE unsigned first_joining_face(unsigned faces, const FaceOrder
 VOLSURF_VECTORISE
 SaddleFaces find_saddle_faces(const Star &star, unsigned parts_outside)
 {
-  const Float32x8 values = lanes_at<Float32x8>(star.values.data());
+  const Float32x8 values = values_of(star);
   const FaceOrder order = order_of_faces(star, values);
   const unsigned faces = star.faces & star_tables().inner_faces[star.present];
   UInt32x8 parts = parts_before_saddles(star, values);

@@ -12,7 +12,7 @@ struct Star {
   unsigned cells;                     ///< newborn octants
   unsigned faces;                     ///< newborn star faces
   unsigned present;                   ///< octants that are nodes of the dual graph
-  std::array<float, kOctants> values; ///< I of each present octant
+  std::array<const float *, 4> pairs; ///< I of octants 2 * i and 2 * i + 1, if present
 };
 
 /// The star faces, at most 7, that a Kruskal in order K over the newborn faces of the star takes, without the first

@@ -17,13 +17,8 @@ Index3 cell_size_of(const Index3 &samples)
   return {samples[0] - 1, samples[1] - 1, samples[2] - 1};
 }
 
-/// The octants of a star at hand.
-struct OctantRows {
-  std::array<CellRow, 4> rows; ///< of octants 2 * i and 2 * i + 1
-
-  float value(std::int64_t x, int octant) const { return rows[octant >> 1].values[x + (octant & 1)]; }
-  CornerCode corner(std::int64_t x, int octant) const { return rows[octant >> 1].corners[x + (octant & 1)]; }
-};
+/// I of the octants of the stars of a row: octants 2 * i and 2 * i + 1 of sample x are at [i][x] and [i][x + 1].
+using OctantRows = std::array<const float *, 4>;
 
 /// Towards the first axis in which two octants differ.
 int first_axis_between(int octant, int other)
@@ -32,12 +27,14 @@ int first_axis_between(int octant, int other)
 }
 
 /// Some x of a row, ascending.
-struct IndexRange {
-  const std::int64_t *first;
-  const std::int64_t *last;
+struct RowSamples {
+  explicit RowSamples(std::int64_t row_size) : found(static_cast<std::size_t>(row_size)) {}
 
-  const std::int64_t *begin() const { return first; }
-  const std::int64_t *end() const { return last; }
+  const std::int64_t *begin() const { return found.data(); }
+  const std::int64_t *end() const { return begin() + count; }
+
+  std::vector<std::int64_t> found;
+  std::ptrdiff_t count = 0;
 };
 
 constexpr unsigned kAllOctants = 0xFF;
@@ -53,7 +50,7 @@ public:
             const BorderRule &border, BasinId *codes, StripStars &stars)
       : samples_(samples), cells_(cell_size_of(samples)), rows_(rows), exterior_(exterior), border_(border),
         tables_(star_tables()), window_(samples, rows, field, exterior), codes_(codes), stars_(stars),
-        masks_(static_cast<std::size_t>(samples[0])), found_(static_cast<std::size_t>(samples[0]))
+        masks_(static_cast<std::size_t>(samples[0])), deep_(samples[0]), meeting_(samples[0])
   {
   }
 
@@ -86,6 +83,7 @@ private:
     const StarRows rows = window_.star_rows(y, z);
     newborn_masks(rows, samples_[0], masks_.data());
     complete_border(y, z);
+    find_candidates();
     find_deep_steps(y, z, octants, rows[4]);
     if ((octants & kUpperRow & kUpperPlane) != 0)
       find_saddles(y, z, rows[4]);
@@ -105,24 +103,31 @@ private:
     std::sort(roots.begin(), in_disorder, [](const Root &a, const Root &b) { return a.cell < b.cell; });
   }
 
-  /// Those x of the row for which condition(mask) is true. Without a branch for each: they are few, but nowhere
-  /// foreseeable.
-  template <typename Condition> IndexRange samples_where(Condition condition)
+  /// The samples of the row with deep octants, and those at which parts meet that reach outside. Without a branch for
+  /// each: they are few, but nowhere foreseeable.
+  void find_candidates()
   {
-    std::int64_t *end = found_.data();
-    for (std::int64_t x = 0; x < samples_[0]; ++x) {
-      *end = x;
-      end += condition(masks_[static_cast<std::size_t>(x)]) ? 1 : 0;
+    const StarTables &tables = tables_;
+    const NewbornMask *const masks = masks_.data();
+    std::int64_t *deep = deep_.found.data();
+    std::int64_t *meeting = meeting_.found.data();
+    for (std::int64_t x = 0, count = samples_[0]; x < count; ++x) {
+      const unsigned cells = newborn_cells(masks[x]);
+      const unsigned parts = tables.parts_outside(cells, newborn_faces(masks[x]));
+      *deep = x;
+      deep += tables.deep[cells] != 0 ? 1 : 0;
+      *meeting = x;
+      meeting += (parts & (parts - 1)) != 0 ? 1 : 0;
     }
-    return {found_.data(), end};
+    deep_.count = deep - deep_.begin();
+    meeting_.count = meeting - meeting_.begin();
   }
 
   /// The steps of the cells whose neighbours across their first corner v are all newborn at v: by the table, or, where
   /// v is a maximum, towards the first cell of its star, which is the root of a basin.
   void find_deep_steps(std::int64_t y, std::int64_t z, unsigned octants, const float *values)
   {
-    for (const std::int64_t x :
-         samples_where([&](NewbornMask mask) { return tables_.deep[newborn_cells(mask)] != 0; })) {
+    for (const std::int64_t x : deep_) {
       const unsigned newborn = newborn_cells(masks_[static_cast<std::size_t>(x)]);
       const unsigned real = border_.real_cells(x, y, z);
       const int root = __builtin_ctz(real);
@@ -142,18 +147,14 @@ private:
   void find_saddles(std::int64_t y, std::int64_t z, const float *values)
   {
     const OctantRows stars = octant_rows(y, z);
-    const auto parts_meet = [&](NewbornMask mask) {
-      const unsigned parts = tables_.parts_outside(newborn_cells(mask), newborn_faces(mask));
-      return (parts & (parts - 1)) != 0;
-    };
-    for (const std::int64_t x : samples_where(parts_meet))
+    for (const std::int64_t x : meeting_)
       add_saddles({x, y, z}, stars, masks_[static_cast<std::size_t>(x)], values[x]);
   }
 
   OctantRows octant_rows(std::int64_t y, std::int64_t z) const
   {
-    return {{window_.octant_row(y, z, 0), window_.octant_row(y, z, 1), window_.octant_row(y, z, 2),
-             window_.octant_row(y, z, 3)}};
+    return {window_.octant_row(y, z, 0), window_.octant_row(y, z, 1), window_.octant_row(y, z, 2),
+            window_.octant_row(y, z, 3)};
   }
 
   CellId octant_cell(const Index3 &v, int octant) const
@@ -177,9 +178,8 @@ private:
   void add_saddles(const Index3 &v, const OctantRows &rows, NewbornMask mask, float value)
   {
     const unsigned real = border_.real_cells(v[0], v[1], v[2]);
-    Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU, {}};
-    for (int octant = 0; octant < kOctants; ++octant)
-      star.values[octant] = rows.value(v[0], octant);
+    const Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU,
+                    {rows[0] + v[0], rows[1] + v[0], rows[2] + v[0], rows[3] + v[0]}};
     const SaddleFaces saddles = find_saddle_faces(star, tables_.parts_outside(star.cells, star.faces));
     for (int i = 0; i < saddles.count; ++i)
       saddles_.push_back({code_of(saddles.faces[i], v, real), value});
@@ -207,7 +207,8 @@ private:
   std::vector<Root> roots_;         // of a plane
   std::vector<Saddle> saddles_;     // of a plane
   std::vector<NewbornMask> masks_;  // of a row of samples
-  std::vector<std::int64_t> found_; // samples of a row, what samples_where() gives out
+  RowSamples deep_;
+  RowSamples meeting_;
 };
 
 } // namespace
