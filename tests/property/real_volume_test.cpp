@@ -65,7 +65,7 @@ void expect_kruskals_partition(const Field &field)
 {
   for (const Exterior exterior : {Exterior::none, Exterior::infinite}) {
     const auto tree = naive_tree(field, exterior);
-    const RegionMerge merge = merge_of(field, exterior, 7);
+    const RegionMerge merge = merge_of(field, exterior, {7, 9});
     const auto persistences = positive_persistences(tree);
     EXPECT_TRUE(positive_persistences(merge.hierarchy) == persistences);
     for (const float delta : five_deltas(persistences))

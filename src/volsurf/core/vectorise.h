@@ -26,7 +26,6 @@ namespace volsurf {
 using Float32x8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 using Float64x4 = double __attribute__((vector_size(32), aligned(4), may_alias));
 using UInt32x8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
-using UInt8x8 = unsigned char __attribute__((vector_size(8), aligned(1), may_alias));
 constexpr int kLanes = 8;
 
 /// The lanes, or the single number, that begin at an address.

@@ -43,8 +43,8 @@ public:
   /// Keeps a reference to `volume`. Throws UsageError where sigma is negative, not finite or above the limit.
   EdgeField(const Volume &volume, const FieldOptions &options);
 
-  /// Writes rows of plane z of I. Thread-safe; O(samples of the rows * kernel radius), and as many rows as the kernel is
-  /// wide in addition.
+  /// Writes rows of plane z of I. Thread-safe; O(samples of the rows * kernel radius), and as many rows as the kernel
+  /// is wide in addition.
   void rows(std::int64_t z, const RowRange &rows, float *out) const;
 
   /// Writes plane z of I.

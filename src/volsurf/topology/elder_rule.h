@@ -5,8 +5,8 @@
 //
 // Guarantee: what all blocks leave, sorted and joined as one block, gives the tree of a Kruskal over all edges. A basin
 // is closed if it has no edges but those of the block. A component of closed basins is, whenever it meets an edge, what
-// it is in the Kruskal over all edges. So where it is the younger one its end is final, since the other side can only be
-// elder than the block knows, and it may be contracted into that side at once: it has no edges of other blocks that
+// it is in the Kruskal over all edges. So where it is the younger one its end is final, since the other side can only
+// be elder than the block knows, and it may be contracted into that side at once: it has no edges of other blocks that
 // could tell. An edge that closes a cycle in the block closes one of edges that come earlier in K.
 #pragma once
 

@@ -15,8 +15,8 @@ template <typename Ring> auto &at_plane(Ring &ring, std::int64_t z)
 } // namespace
 
 FieldWindow::FieldWindow(const Index3 &samples, const RowRange &strip, const PlaneSource &source, Exterior exterior)
-    : samples_(samples), strip_(strip),
-      sample_rows_{std::max<std::int64_t>(strip.begin - 1, 0), std::min(strip.end + 2, samples[1])},
+    : samples_(samples),
+      strip_(strip), sample_rows_{std::max<std::int64_t>(strip.begin - 1, 0), std::min(strip.end + 2, samples[1])},
       cell_rows_{sample_rows_.begin, sample_rows_.end - 1}, source_(source), stride_(samples[0] + 1)
 {
   const auto framed_size = static_cast<std::size_t>(stride_ * (strip.count() + 2));

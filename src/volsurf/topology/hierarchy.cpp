@@ -39,6 +39,25 @@ std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_sid
   return ancestor;
 }
 
+constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
+
+/// The rank of the one basin in the region of each that survives: the survivors are the first ranks, and each other
+/// basin is in the region of its ancestor.
+std::vector<std::uint32_t> find_survivors(const Hierarchy &hierarchy, std::size_t survivors)
+{
+  std::vector<std::uint32_t> survivor(hierarchy.basin_count(), kUnknown);
+  for (std::uint32_t rank = 0; rank < survivors; ++rank)
+    survivor[hierarchy.by_rank[rank]] = rank;
+  for (BasinId basin = 0; basin < survivor.size(); ++basin) {
+    BasinId last = basin;
+    while (survivor[last] == kUnknown)
+      last = hierarchy.ancestor[last];
+    for (BasinId passed = basin; passed != last; passed = hierarchy.ancestor[passed])
+      survivor[passed] = survivor[last];
+  }
+  return survivor;
+}
+
 } // namespace
 
 Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior)
@@ -67,19 +86,11 @@ std::size_t Hierarchy::region_count(double delta) const
 
 Regions cut(const Hierarchy &hierarchy, double delta)
 {
-  // The survivors are the first ranks; each other basin is in the region of its ancestor, which has an earlier rank.
   const std::size_t basins = hierarchy.basin_count();
-  std::vector<std::uint32_t> survivor(basins);
-  std::vector<std::int64_t> cells;
-  for (const BasinId basin : hierarchy.by_rank) {
-    if (hierarchy.persistence[basin] >= delta) {
-      survivor[basin] = static_cast<std::uint32_t>(cells.size());
-      cells.push_back(0);
-    } else {
-      survivor[basin] = survivor[hierarchy.ancestor[basin]];
-    }
+  const std::vector<std::uint32_t> survivor = find_survivors(hierarchy, hierarchy.region_count(delta));
+  std::vector<std::int64_t> cells(hierarchy.region_count(delta));
+  for (BasinId basin = 0; basin < basins; ++basin)
     cells[survivor[basin]] += hierarchy.cell_counts[basin];
-  }
 
   std::vector<std::uint32_t> order(cells.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -98,8 +98,8 @@ private:
     std::vector<Root> &roots = stars_.roots[static_cast<std::size_t>(cell_plane)];
     roots.insert(roots.end(), roots_.begin(), roots_.end());
     const CellId first_sorted = cells_.id(0, cell_plane == 0 ? cells_.size[1] : 1, cell_plane);
-    const auto in_disorder = std::partition_point(roots.begin(), roots.end(),
-                                                  [&](const Root &root) { return root.cell < first_sorted; });
+    const auto in_disorder =
+        std::partition_point(roots.begin(), roots.end(), [&](const Root &root) { return root.cell < first_sorted; });
     std::sort(roots.begin(), in_disorder, [](const Root &a, const Root &b) { return a.cell < b.cell; });
   }
 
@@ -178,7 +178,9 @@ private:
   void add_saddles(const Index3 &v, const OctantRows &rows, NewbornMask mask, float value)
   {
     const unsigned real = border_.real_cells(v[0], v[1], v[2]);
-    const Star star{newborn_cells(mask), newborn_faces(mask), exterior_ == Exterior::none ? real : 0xFFU,
+    const Star star{newborn_cells(mask),
+                    newborn_faces(mask),
+                    exterior_ == Exterior::none ? real : 0xFFU,
                     {rows[0] + v[0], rows[1] + v[0], rows[2] + v[0], rows[3] + v[0]}};
     const SaddleFaces saddles = find_saddle_faces(star, tables_.parts_outside(star.cells, star.faces));
     for (int i = 0; i < saddles.count; ++i)
@@ -204,9 +206,9 @@ private:
   FieldWindow window_;
   BasinId *codes_;
   StripStars &stars_;
-  std::vector<Root> roots_;         // of a plane
-  std::vector<Saddle> saddles_;     // of a plane
-  std::vector<NewbornMask> masks_;  // of a row of samples
+  std::vector<Root> roots_;        // of a plane
+  std::vector<Saddle> saddles_;    // of a plane
+  std::vector<NewbornMask> masks_; // of a row of samples
   RowSamples deep_;
   RowSamples meeting_;
 };
@@ -227,8 +229,8 @@ StarSweep sweep_stars(const Index3 &samples, const PlaneSource &field, Exterior 
   const auto planes = static_cast<std::size_t>(samples[2]);
   const std::int64_t strips = slab_count(samples[1], tile.rows);
   StarSweep sweep{Buffer<BasinId>(cells.count()), {}};
-  sweep.strips.assign(static_cast<std::size_t>(strips), {std::vector<std::vector<Root>>(planes - 1),
-                                                         std::vector<std::vector<Saddle>>(planes)});
+  sweep.strips.assign(static_cast<std::size_t>(strips),
+                      {std::vector<std::vector<Root>>(planes - 1), std::vector<std::vector<Saddle>>(planes)});
   const BorderRule border(samples, exterior);
   std::atomic<std::int64_t> planes_done{0};
   parallel_for_slabs(strips * slab_count(samples[2], tile.planes), 1, [&](const Slab &work) {
