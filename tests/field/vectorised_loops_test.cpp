@@ -13,6 +13,8 @@ namespace volsurf_plain {
 
 void smooth_row(const float *const *rows, const float *weights, int radius, std::int64_t count, float *out);
 void derive_row(const float *const *rows, const float *weights, int radius, std::int64_t count, float *out);
+void smooth_and_derive_row(const float *const *rows, const float *smooth, const float *derive, int radius,
+                           std::int64_t count, float *smooth_out, float *derive_out);
 void difference_row(const float *low, const float *high, float factor, std::int64_t count, float *out);
 std::int32_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
 void negate_row(const float *in, std::int64_t count, float *out);
@@ -73,6 +75,16 @@ RC_GTEST_PROP(VectorisedLoops, KernelsGiveTheBytesOfPlainLoops, ())
   });
   require_same_row(count, [&](bool plain, float *out) {
     (plain ? volsurf_plain::derive_row : derive_row)(starts.data(), weights.data(), radius, count, out);
+  });
+  const Row derive_weights = random_row(dice, radius + 1, false);
+  Row other(static_cast<std::size_t>(count));
+  require_same_row(count, [&](bool plain, float *out) {
+    (plain ? volsurf_plain::smooth_and_derive_row : smooth_and_derive_row)(
+        starts.data(), weights.data(), derive_weights.data(), radius, count, out, other.data());
+  });
+  require_same_row(count, [&](bool plain, float *out) {
+    (plain ? volsurf_plain::smooth_and_derive_row : smooth_and_derive_row)(
+        starts.data(), weights.data(), derive_weights.data(), radius, count, other.data(), out);
   });
 }
 

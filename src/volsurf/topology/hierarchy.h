@@ -8,7 +8,7 @@
 // component.
 #pragma once
 
-#include "volsurf/topology/saddle_edges.h"
+#include "volsurf/topology/join_saddles.h"
 
 #include <optional>
 

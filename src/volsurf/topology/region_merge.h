@@ -4,7 +4,7 @@
 // regions for any delta. For every delta > 0 the partition is the one of Kruskal over all faces in order K
 // (docs/method.md sections 2 and 4), without sorting or storing a face.
 //
-// Source: the paper, algorithm 2. Steps: star_sweep (A, B, C), basins (D, E), hierarchy (F, G).
+// Source: the paper, algorithm 2. Steps: star_sweep (A, B, C), basins (D), join_saddles (E, F), hierarchy (G).
 #pragma once
 
 #include "volsurf/core/cell_labels.h"

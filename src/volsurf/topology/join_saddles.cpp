@@ -1,4 +1,4 @@
-#include "volsurf/topology/saddle_edges.h"
+#include "volsurf/topology/join_saddles.h"
 
 #include "volsurf/core/parallel.h"
 #include "volsurf/core/radix_sort.h"
