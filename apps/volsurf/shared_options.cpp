@@ -29,8 +29,9 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
                  "Replace each sample by the median of (2R+1)^3 first, R in voxels: against impulse noise [0]")
       ->group("Field")
       ->check(CLI::Range(0, kLargestMedian));
-  app.add_option("--sigma", settings.field.sigma_mm,
-                 "Gaussian for the gradient in mm; 0: central differences [one voxel: the smallest spacing]")
+  app.add_option(
+         "--sigma", settings.field.sigma_mm,
+         "Gaussian for the gradient in mm; 0: central differences [one voxel: the geometric mean of the spacings]")
       ->group("Field");
   app.add_flag("--edge-map", settings.field.edge_map,
                "The input is an edge strength already (a gradient magnitude, a network's boundary map)")

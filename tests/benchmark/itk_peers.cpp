@@ -35,7 +35,7 @@ Image::Pointer gradient_of(const Volume &volume, const RunOptions &options)
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
   const auto filter = itk::GradientMagnitudeRecursiveGaussianImageFilter<Image, Image>::New();
   filter->SetInput(wrapped(volume));
-  filter->SetSigma(options.sigma_mm.value_or(smallest_spacing_mm(volume.grid)));
+  filter->SetSigma(options.sigma_mm.value_or(mean_spacing_mm(volume.grid)));
   filter->SetNumberOfWorkUnits(threads);
   filter->Update();
   return filter->GetOutput();

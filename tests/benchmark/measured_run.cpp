@@ -78,7 +78,7 @@ nlohmann::json as_object(const StageSeconds &seconds)
 void add_run_options(CLI::App &app, RunOptions &options)
 {
   app.add_option("FILE", options.file, "The volume, of any format that volsurf reads")->required();
-  app.add_option("--sigma", options.sigma_mm, "Gaussian of the gradient in mm (the smallest spacing)");
+  app.add_option("--sigma", options.sigma_mm, "Gaussian of the gradient in mm (the mean spacing)");
   app.add_option("--delta", options.delta, "Persistence, or depth of watershed basins, per mm")->capture_default_str();
   app.add_option("--iso", options.iso, "Value of iso-surfaces")->capture_default_str();
   app.add_option("--threads", options.threads, "Threads")->check(CLI::PositiveNumber)->capture_default_str();
@@ -97,7 +97,7 @@ void measure_and_print(const RunOptions &options, const Compute &compute, const 
   nlohmann::json result{{"file", options.file.filename().string()},
                         {"size", volume.grid.size},
                         {"samples", volume.grid.sample_count()},
-                        {"sigma_mm", options.sigma_mm.value_or(smallest_spacing_mm(volume.grid))},
+                        {"sigma_mm", options.sigma_mm.value_or(mean_spacing_mm(volume.grid))},
                         {"delta", options.delta},
                         {"threads", options.threads}};
   reset_peak();

@@ -17,7 +17,7 @@ namespace volsurf::bench {
 
 struct RunOptions {
   std::filesystem::path file;
-  std::optional<double> sigma_mm; ///< not set: the smallest spacing
+  std::optional<double> sigma_mm; ///< not set: the mean spacing
   double delta = 5;
   double iso = 60;
   int threads = 1;

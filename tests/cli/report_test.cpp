@@ -191,7 +191,7 @@ TEST_F(ReportFile, TellsOptionsAsUsed)
 {
   const json options = report(ball() + " --delta 2 --rank-by area --keep 50% -o a.stl --labels l.nrrd")["options"];
   EXPECT_EQ(options["delta"], 2);
-  EXPECT_EQ(options["sigma_mm"], 1) << "the smallest spacing";
+  EXPECT_EQ(options["sigma_mm"], 1) << "the mean spacing";
   EXPECT_EQ(options["keep"], "50%");
   EXPECT_EQ(options["rank_by"], "area");
   EXPECT_EQ(options["outputs"], json({"a.stl"}));

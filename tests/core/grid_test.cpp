@@ -80,3 +80,14 @@ TEST(Grid, VoxelVolumeIsTheProductOfTheSpacings)
   EXPECT_DOUBLE_EQ(voxel_volume_mm3(grid), 3);
   EXPECT_DOUBLE_EQ(smallest_spacing_mm(grid), 0.5);
 }
+
+TEST(Grid, ACubeOfTheMeanSpacingIsAsLargeAsAVoxel)
+{
+  Grid grid;
+  grid.spacing_mm = {0.6, 0.6, 1.5};
+  EXPECT_NEAR(std::pow(mean_spacing_mm(grid), 3), voxel_volume_mm3(grid), 1e-12);
+  for (const double spacing : {1.0, 2.0 / 15, 0.1}) {
+    grid.spacing_mm = {spacing, spacing, spacing};
+    EXPECT_EQ(mean_spacing_mm(grid), spacing) << "to the last bit";
+  }
+}

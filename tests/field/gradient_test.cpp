@@ -215,10 +215,14 @@ TEST(EdgeField, GradientMagnitudeIsTheFieldNegated)
     EXPECT_EQ(magnitude.samples[i], -values[i]);
 }
 
-TEST(EdgeField, SigmaIsTheSmallestSpacingUnlessSaid)
+TEST(EdgeField, SigmaIsTheMeanSpacingWithinTheLimitUnlessSaid)
 {
-  const Volume volume = volume_of({4, 4, 4}, {2, 0.75, 1}, [](const Index3 &) { return 0.0; });
-  EXPECT_DOUBLE_EQ(EdgeField(volume, {}).sigma_mm(), 0.75);
+  const auto sigma_mm = [](const Vec3 &spacing_mm) {
+    const Volume volume = volume_of({4, 4, 4}, spacing_mm, [](const Index3 &) { return 0.0; });
+    return EdgeField(volume, {}).sigma_mm();
+  };
+  EXPECT_DOUBLE_EQ(sigma_mm({2, 0.25, 2}), 1);
+  EXPECT_DOUBLE_EQ(sigma_mm({10, 0.001, 10}), 0.001 * kLargestSigmaVoxels);
 }
 
 TEST(EdgeField, RefusesASigmaThatIsNegativeHugeOrNotANumber)

@@ -80,6 +80,15 @@ double smallest_spacing_mm(const Grid &grid)
   return *std::min_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
 }
 
+double mean_spacing_mm(const Grid &grid)
+{
+  const double smallest = smallest_spacing_mm(grid);
+  double product = 1;
+  for (const double spacing : grid.spacing_mm)
+    product *= spacing / smallest;
+  return smallest * std::cbrt(product);
+}
+
 Grid cell_centre_grid(const Grid &grid)
 {
   Grid cells = grid;

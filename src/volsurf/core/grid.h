@@ -42,6 +42,9 @@ double face_area_mm2(const Grid &grid, int axis);
 
 double smallest_spacing_mm(const Grid &grid);
 
+/// The geometric mean, the side of a cube as large as a voxel; where all are equal exactly that.
+double mean_spacing_mm(const Grid &grid);
+
 /// The grid of the cells' centres: one sample less per axis, origin shifted by half a voxel.
 Grid cell_centre_grid(const Grid &grid);
 

@@ -24,6 +24,11 @@ inline Vec3 plus(const Vec3 &a, double factor, const Vec3 &b)
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
+inline Vec3 scaled(double factor, const Vec3 &a)
+{
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+
 inline double dot(const Vec3 &a, const Vec3 &b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -2,6 +2,7 @@
 
 #include "volsurf/core/vec3.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace volsurf {
@@ -9,6 +10,10 @@ namespace volsurf {
 namespace {
 
 constexpr int kStepsToLimit = 4; ///< of the way to the edge
+
+/// The sd of an edge's place under white noise is so many times sigma times the noise of the gradient over the
+/// gradient, measured on planes.
+constexpr double kErrorOfNoise = 2.1;
 
 /// Laplacian(g) + g_ww, positive on the side of lower g.
 double plus_of(const Derivatives &derivatives)
@@ -30,7 +35,14 @@ double zero_between(double a, double value_a, double b, double value_b)
 
 } // namespace
 
-std::optional<double> EdgeLocator::find(const Vec3 &index, const Vec3 &direction, double limit_mm) const
+EdgeLocator::EdgeLocator(const Volume &volume, double sigma_mm, double gradient_noise)
+    : volume_(volume, sigma_mm),
+      error_times_gradient_(kErrorOfNoise * std::max(sigma_mm, kLeastBlurVoxels * smallest_spacing_mm(volume.grid)) *
+                            gradient_noise)
+{
+}
+
+std::optional<LocatedEdge> EdgeLocator::find(const Vec3 &index, const Vec3 &direction, double limit_mm) const
 {
   Vec3 voxels_per_mm{};
   for (int axis = 0; axis < 3; ++axis)
@@ -55,8 +67,10 @@ std::optional<double> EdgeLocator::find(const Vec3 &index, const Vec3 &direction
   }
   const double first = zero_between(near, value_near, far, value_far);
   const double value_first = value_at(first);
-  return (value_first > 0) == (value_near > 0) ? zero_between(first, value_first, far, value_far)
-                                               : zero_between(near, value_near, first, value_first);
+  const double way_mm = (value_first > 0) == (value_near > 0) ? zero_between(first, value_first, far, value_far)
+                                                              : zero_between(near, value_near, first, value_first);
+  const double gradient = length(volume_.derivatives_at(plus(index, way_mm, voxels_per_mm)).gradient);
+  return LocatedEdge{way_mm, error_times_gradient_ / gradient};
 }
 
 } // namespace volsurf

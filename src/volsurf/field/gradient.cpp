@@ -63,8 +63,8 @@ Difference difference_at(std::int64_t i, std::int64_t size, double spacing_mm)
 
 double checked_sigma_mm(const Grid &grid, const FieldOptions &options)
 {
-  const double sigma = options.sigma_mm.value_or(smallest_spacing_mm(grid));
   const double largest = kLargestSigmaVoxels * smallest_spacing_mm(grid);
+  const double sigma = options.sigma_mm.value_or(std::min(mean_spacing_mm(grid), largest));
   if (!(sigma >= 0 && sigma <= largest)) {
     std::ostringstream message;
     message << "--sigma: found " << sigma << "; allowed are 0 to " << largest << " mm (" << kLargestSigmaVoxels

@@ -12,7 +12,7 @@
 namespace volsurf {
 
 struct FieldOptions {
-  std::optional<double> sigma_mm; ///< sd of the Gaussian; 0: central differences; not set: the smallest spacing
+  std::optional<double> sigma_mm; ///< sd of the Gaussian; 0: central differences; not set: the mean spacing
   bool edge_map = false;          ///< the volume is an edge strength already: I = -g
 };
 

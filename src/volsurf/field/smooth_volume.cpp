@@ -34,7 +34,7 @@ struct SplineWeights {
 double remaining_sigma_voxels(double sigma_mm, double spacing_mm)
 {
   const double sigma = sigma_mm / spacing_mm;
-  return std::sqrt(std::max(sigma * sigma - 1.0 / 3.0, 0.0));
+  return std::sqrt(std::max(sigma * sigma - kLeastBlurVoxels * kLeastBlurVoxels, 0.0));
 }
 
 double sum(const std::array<double, 4> &weights, const std::array<double, 4> &values)

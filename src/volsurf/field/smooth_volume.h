@@ -18,9 +18,12 @@ struct Derivatives {
   Vec3 second_mixed; ///< yz, xz, xy
 };
 
+/// The blur of the splines by themselves, the square root of 1/3.
+constexpr double kLeastBlurVoxels = 0.5773502691896258;
+
 class SmoothVolume {
 public:
-  /// Blurs by `sigma_mm`, but by no less than the splines do: 0.58 times the spacing along each axis. Takes 4 bytes per
+  /// Blurs by `sigma_mm`, but by no less than kLeastBlurVoxels along each axis. Takes 4 bytes per
   /// sample. Beyond the border the volume continues with its border samples. O(samples * kernel radius), parallel.
   SmoothVolume(const Volume &volume, double sigma_mm);
 

@@ -1,4 +1,5 @@
-// From the staircase of faces to the surface: smoothing, sub-voxel placement, and a little smoothing after it.
+// From the staircase of faces to the surface: smoothing, then sub-voxel placement, of a finer mesh where slices are
+// thick.
 #pragma once
 
 #include "volsurf/field/edge_locator.h"

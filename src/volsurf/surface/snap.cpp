@@ -3,6 +3,7 @@
 #include "volsurf/core/parallel.h"
 #include "volsurf/core/vec3.h"
 #include "volsurf/surface/cap_points.h"
+#include "volsurf/surface/fairing.h"
 #include "volsurf/surface/point_stars.h"
 
 #include <algorithm>
@@ -13,13 +14,16 @@ namespace volsurf {
 namespace {
 
 constexpr std::int64_t kPointsPerSlab = 4096;
-constexpr int kFollowPasses = 8;   ///< how far, in edges, a point without a way looks for neighbours that have one
 constexpr int kTakeBackPasses = 6; ///< moves are halved so often before they are given up
 
 /// A way is dropped where it differs from the median of those around by so many times their median deviation, which
 /// counts as at least this part of a voxel.
 constexpr double kOutlierDeviations = 3;
 constexpr double kLeastDeviationVoxels = 0.1;
+
+/// How far off a point may be, in voxels of the smallest spacing, where it did not find its edge and stands where
+/// smoothing has put it.
+constexpr double kErrorWithoutEdge = 0.5;
 
 /// A triangle counts as turned over where its normal turns further than this.
 constexpr double kLeastCosine = 0.1;
@@ -126,6 +130,7 @@ double voxel_mm(const Grid &grid, const Vec3 &direction)
 struct Way {
   bool known = false;
   double length_mm = 0; ///< along `direction`
+  double error_mm = 0;
   Vec3 direction{0, 0, 0};
   double voxel_mm = 0;
 };
@@ -146,8 +151,8 @@ std::vector<Way> find_ways(const Mesh &mesh, const Grid &grid, const PointStars 
     for (int axis = 0; axis < 3; ++axis)
       index[axis] /= grid.spacing_mm[axis];
     const double voxel = voxel_mm(grid, *direction);
-    if (const auto length = find_edge(index, *direction, kSnapLimitVoxels * voxel))
-      ways[point] = {true, *length, *direction, voxel};
+    if (const auto edge = find_edge(index, *direction, kSnapLimitVoxels * voxel))
+      ways[point] = {true, edge->way_mm, edge->error_mm, *direction, voxel};
   });
   return ways;
 }
@@ -179,68 +184,79 @@ void drop_outliers(const Mesh &mesh, const PointStars &stars, std::vector<Way> &
   });
 }
 
-/// How far each point moves.
-struct Moves {
-  std::vector<Vec3> of_point; ///< in mm
-  std::vector<char> known;
-
-  std::int64_t known_count() const { return std::count(known.begin(), known.end(), 1); }
-};
-
-Moves moves_along(const std::vector<Way> &ways)
+/// The error in mm of a known way, from those around: noise that moves an edge changes what it is thought to be off by,
+/// so that single errors would favour edges on one side.
+double error_around(PointId point, const std::vector<Way> &ways, const Mesh &mesh, const PointStars &stars)
 {
-  Moves moves{std::vector<Vec3>(ways.size()), std::vector<char>(ways.size())};
-  for (std::size_t point = 0; point < ways.size(); ++point)
-    if (ways[point].known) {
-      for (int axis = 0; axis < 3; ++axis)
-        moves.of_point[point][axis] = ways[point].length_mm * ways[point].direction[axis];
-      moves.known[point] = 1;
-    }
-  return moves;
-}
-
-/// The mean of the neighbours' moves, within the point's free axes.
-std::optional<Vec3> neighbours_move(PointId point, const Mesh &mesh, const PointStars &stars, const Moves &moves,
-                                    const FreeAxes &free_axes)
-{
-  Vec3 sum{0, 0, 0};
+  double squared = 0;
   int count = 0;
   stars.for_each(point, [&](std::size_t t) {
     for (const PointId other : mesh.triangles[t])
-      if (moves.known[other] != 0) {
-        for (int axis = 0; axis < 3; ++axis)
-          sum[axis] += moves.of_point[other][axis];
+      if (ways[other].known) {
+        squared += ways[other].error_mm * ways[other].error_mm;
         ++count;
       }
   });
-  if (count == 0)
-    return std::nullopt;
-  for (int axis = 0; axis < 3; ++axis)
-    sum[axis] = free_axes[axis] ? sum[axis] / count : 0;
-  return sum;
+  return std::sqrt(squared / count);
 }
 
-void follow_neighbours(const Mesh &mesh, const PointStars &stars, const std::vector<FreeAxes> &free_axes, Moves &moves)
+bool is_on_rim(PointId point, const Mesh &mesh, const PointStars &stars)
 {
-  for (int pass = 0; pass < kFollowPasses; ++pass) {
-    const Moves before = moves;
-    for_each_point(mesh, [&](PointId point) {
-      if (before.known[point] != 0)
-        return;
-      if (const auto move = neighbours_move(point, mesh, stars, before, free_axes[point])) {
-        moves.of_point[point] = *move;
-        moves.known[point] = 1;
-      }
-    });
-  }
+  bool on_cap = false;
+  bool on_wall = false;
+  stars.for_each(point, [&](std::size_t t) { (mesh.cap[t] != 0 ? on_cap : on_wall) = true; });
+  return on_cap && on_wall;
 }
 
-std::vector<Vec3> moved(const std::vector<Vec3> &positions, const Moves &moves)
+/// What each point says of its place, in voxels.
+std::vector<Target> make_targets(const Mesh &mesh, const PointStars &stars, const std::vector<Vec3> &positions,
+                                 const std::vector<FreeAxes> &free_axes, const std::vector<Way> &ways, double voxel_mm,
+                                 double least_error)
+{
+  std::vector<Target> targets(positions.size());
+  for_each_point(mesh, [&](PointId point) {
+    thread_local std::vector<PointId> neighbours;
+    const Way &way = ways[point];
+    Target &target = targets[point];
+    target.position =
+        scaled(1 / voxel_mm, way.known ? plus(positions[point], way.length_mm, way.direction) : positions[point]);
+    target.error =
+        way.known ? std::hypot(least_error, error_around(point, ways, mesh, stars) / voxel_mm) : kErrorWithoutEdge;
+    target.free_axes = free_axes[point];
+    target.on_feature = is_on_junction(point, mesh, stars, neighbours) || is_on_rim(point, mesh, stars);
+  });
+  return targets;
+}
+
+/// A move in mm, cut off at the limit.
+Vec3 within_limit(const Vec3 &move, const Grid &grid)
+{
+  const double size = length(move);
+  if (size == 0)
+    return move;
+  const double limit = kSnapLimitVoxels * voxel_mm(grid, scaled(1 / size, move));
+  return size > limit ? scaled(limit / size, move) : move;
+}
+
+/// How far each point moves, in mm: to its place on the fair surface.
+std::vector<Vec3> fair_moves(const Mesh &mesh, const Grid &grid, const std::vector<Vec3> &positions,
+                             const std::vector<Target> &targets)
+{
+  const double voxel = smallest_spacing_mm(grid);
+  std::vector<Vec3> shape(positions.size());
+  for_each_point(mesh, [&](PointId point) { shape[point] = scaled(1 / voxel, positions[point]); });
+  std::vector<Vec3> moves = fair_positions(PointNeighbours(mesh), targets, shape);
+  for_each_point(mesh, [&](PointId point) {
+    moves[point] = within_limit(scaled(voxel, minus(moves[point], shape[point])), grid);
+  });
+  return moves;
+}
+
+std::vector<Vec3> moved(const std::vector<Vec3> &positions, const std::vector<Vec3> &moves)
 {
   std::vector<Vec3> result = positions;
   for (std::size_t point = 0; point < result.size(); ++point)
-    for (int axis = 0; axis < 3; ++axis)
-      result[point][axis] += moves.of_point[point][axis];
+    result[point] = plus(result[point], 1, moves[point]);
   return result;
 }
 
@@ -259,7 +275,7 @@ std::vector<char> find_overturned(const Mesh &mesh, const std::vector<Vec3> &bef
 }
 
 /// Halves the moves around triangles that would turn over, in the end gives them up. Returns how many points stay.
-std::int64_t take_back_overturns(const Mesh &mesh, const std::vector<Vec3> &positions, Moves &moves)
+std::int64_t take_back_overturns(const Mesh &mesh, const std::vector<Vec3> &positions, std::vector<Vec3> &moves)
 {
   std::vector<char> given_up(positions.size());
   for (int pass = 0;; ++pass) {
@@ -269,7 +285,7 @@ std::int64_t take_back_overturns(const Mesh &mesh, const std::vector<Vec3> &posi
     for (std::size_t point = 0; point < positions.size(); ++point)
       if (overturned[point] != 0) {
         given_up[point] = pass >= kTakeBackPasses ? 1 : 0;
-        for (double &part : moves.of_point[point])
+        for (double &part : moves[point])
           part = given_up[point] != 0 ? 0 : part / 2;
       }
   }
@@ -285,22 +301,22 @@ double root_mean_square(const std::vector<Vec3> &moves)
 
 } // namespace
 
-SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge)
+SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, double least_error)
 {
   const PointStars stars(mesh);
   const std::vector<Vec3> positions = positions_of(mesh, grid);
   const std::vector<FreeAxes> free_axes = find_free_axes(mesh, grid);
   std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, find_edge);
   drop_outliers(mesh, stars, ways);
+  const auto targets = make_targets(mesh, stars, positions, free_axes, ways, smallest_spacing_mm(grid), least_error);
+  std::vector<Vec3> moves = fair_moves(mesh, grid, positions, targets);
 
   SnapResult result;
   result.points = static_cast<std::int64_t>(mesh.points.size());
-  Moves moves = moves_along(ways);
-  result.moved = moves.known_count();
-  follow_neighbours(mesh, stars, free_axes, moves);
-  result.followed = moves.known_count() - result.moved;
+  result.moved = std::count_if(ways.begin(), ways.end(), [](const Way &way) { return way.known; });
+  result.followed = result.points - result.moved;
   result.rejected = take_back_overturns(mesh, positions, moves);
-  result.root_mean_square_mm = root_mean_square(moves.of_point);
+  result.root_mean_square_mm = root_mean_square(moves);
   set_points(moved(positions, moves), grid, mesh);
   return result;
 }

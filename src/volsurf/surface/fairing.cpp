@@ -1,0 +1,233 @@
+#include "volsurf/surface/fairing.h"
+
+#include "volsurf/core/parallel.h"
+#include "volsurf/core/vec3.h"
+
+namespace volsurf {
+
+namespace {
+
+constexpr std::int64_t kPointsPerSlab = 4096;
+constexpr int kShapeRounds = 5;         ///< over which the bends of the given surface are averaged
+constexpr int kLooksAtCreases = 2;      ///< how often the problem is solved again
+constexpr double kCreaseBends = 3;      ///< a bend off by so many sd costs half of what it did
+constexpr int kMostIterations = 15;     ///< of one solution; more change the study's distances by less than 0.001 voxel
+constexpr double kLeastResidual = 1e-3; ///< squared, relative to the first, where a solution is good enough
+
+template <typename Work> void for_each_point(std::size_t points, Work work)
+{
+  parallel_for_slabs(static_cast<std::int64_t>(points), kPointsPerSlab, [&](const Slab &slab) {
+    for (std::int64_t point = slab.begin; point < slab.end; ++point)
+      work(static_cast<std::size_t>(point));
+  });
+}
+
+double inner_product(const std::vector<Vec3> &a, const std::vector<Vec3> &b)
+{
+  const auto count = static_cast<std::int64_t>(a.size());
+  std::vector<double> of_slab(static_cast<std::size_t>(slab_count(count, kPointsPerSlab)));
+  parallel_for_slabs(count, kPointsPerSlab, [&](const Slab &slab) {
+    double sum = 0;
+    for (std::int64_t i = slab.begin; i < slab.end; ++i)
+      sum += dot(a[i], b[i]);
+    of_slab[slab.index] = sum;
+  });
+  double sum = 0;
+  for (const double part : of_slab)
+    sum += part;
+  return sum;
+}
+
+/// How each point's neighbours bend the surface at it: the linear map B of the sum above, and its transpose.
+class Bends {
+public:
+  Bends(const PointNeighbours &neighbours, const std::vector<Target> &targets)
+      : neighbours_(neighbours), on_feature_(targets.size()), share_(targets.size())
+  {
+    for_each_point(targets.size(), [&](std::size_t i) { on_feature_[i] = targets[i].on_feature ? 1 : 0; });
+    for_each_point(targets.size(), [&](std::size_t i) {
+      std::size_t count = 0;
+      neighbours_.for_each(i, [&](PointId j) { count += counts(i, j) ? 1 : 0; });
+      if (count > 0 && (on_feature_[i] == 0 || count == 2))
+        share_[i] = 1 / static_cast<double>(count);
+    });
+  }
+
+  /// False at points without neighbours, and at ends and forks of features, which bend as they like.
+  bool is_bound(std::size_t i) const { return share_[i] > 0; }
+
+  Vec3 at(std::size_t i, const std::vector<Vec3> &x) const
+  {
+    if (!is_bound(i))
+      return {0, 0, 0};
+    Vec3 sum{0, 0, 0};
+    neighbours_.for_each(i, [&](PointId j) {
+      if (counts(i, j))
+        sum = plus(sum, 1, x[j]);
+    });
+    return minus(scaled(share_[i], sum), x[i]);
+  }
+
+  /// What each neighbour of i has in a force on it.
+  Vec3 part_of(std::size_t i, const Vec3 &force) const { return scaled(share_[i], force); }
+
+  /// B^T times forces, given as the parts that each neighbour has in them.
+  Vec3 transposed_at(std::size_t i, const std::vector<Vec3> &parts) const
+  {
+    Vec3 sum = is_bound(i) ? scaled(-1 / share_[i], parts[i]) : Vec3{0, 0, 0};
+    neighbours_.for_each(i, [&](PointId j) {
+      if (counts(j, static_cast<PointId>(i)))
+        sum = plus(sum, 1, parts[j]);
+    });
+    return sum;
+  }
+
+private:
+  /// Whether i, joined to j by an edge, bends by it.
+  bool counts(std::size_t i, PointId j) const { return on_feature_[i] == 0 || on_feature_[j] != 0; }
+
+  const PointNeighbours &neighbours_;
+  std::vector<char> on_feature_;
+  std::vector<double> share_; // of each neighbour in the mean; 0: not bound
+};
+
+std::vector<Vec3> average_bends(const Bends &bends, const std::vector<Vec3> &shape)
+{
+  std::vector<Vec3> expected(shape.size());
+  for_each_point(shape.size(), [&](std::size_t i) { expected[i] = bends.at(i, shape); });
+  for (int round = 0; round < kShapeRounds; ++round) {
+    const std::vector<Vec3> before = expected;
+    for_each_point(shape.size(), [&](std::size_t i) { expected[i] = plus(before[i], 0.5, bends.at(i, before)); });
+  }
+  return expected;
+}
+
+/// The sum to be minimised.
+class SmoothingSpline {
+public:
+  SmoothingSpline(const PointNeighbours &neighbours, const std::vector<Target> &targets, const std::vector<Vec3> &shape)
+      : targets_(targets), bends_(neighbours, targets), expected_(average_bends(bends_, shape)),
+        stiffness_(targets.size()), weight_(targets.size()), parts_(targets.size())
+  {
+    for_each_point(targets.size(), [&](std::size_t i) {
+      weight_[i] = 1 / (targets[i].error * targets[i].error);
+      stiffness_[i] = bends_.is_bound(i) ? kStiffness : 0;
+    });
+  }
+
+  std::size_t size() const { return targets_.size(); }
+
+  /// Half of the negative gradient of the sum.
+  void residual(const std::vector<Vec3> &x, std::vector<Vec3> &result)
+  {
+    for_each_point(size(), [&](std::size_t i) {
+      parts_[i] = bends_.part_of(i, scaled(stiffness_[i], minus(bends_.at(i, x), expected_[i])));
+    });
+    for_each_point(size(), [&](std::size_t i) {
+      const Vec3 pull = minus(targets_[i].position, x[i]);
+      result[i] = within_free_axes(i, minus(scaled(weight_[i], pull), bends_.transposed_at(i, parts_)));
+    });
+  }
+
+  /// The matrix of the normal equations times a vector.
+  void multiply(const std::vector<Vec3> &x, std::vector<Vec3> &result)
+  {
+    for_each_point(size(),
+                   [&](std::size_t i) { parts_[i] = bends_.part_of(i, scaled(stiffness_[i], bends_.at(i, x))); });
+    for_each_point(size(), [&](std::size_t i) {
+      result[i] = within_free_axes(i, plus(bends_.transposed_at(i, parts_), weight_[i], x[i]));
+    });
+  }
+
+  /// Its diagonal, but for the small part that the bends at neighbours add.
+  double diagonal(std::size_t i) const { return weight_[i] + stiffness_[i]; }
+
+  /// Takes as creases what bends sharply in x.
+  void relax_creases(const std::vector<Vec3> &x)
+  {
+    for_each_point(size(), [&](std::size_t i) {
+      if (!bends_.is_bound(i))
+        return;
+      const Vec3 off = minus(bends_.at(i, x), expected_[i]);
+      const double squared_sds = dot(off, off) * kStiffness / (kCreaseBends * kCreaseBends);
+      stiffness_[i] = kStiffness / (1 + squared_sds * squared_sds);
+    });
+  }
+
+  /// Moves points from the surface to where the triangles around them are on it, on average: over flat triangles
+  /// between points of a curved surface it is higher by a quarter of the bend.
+  void centre_faces(std::vector<Vec3> &x) const
+  {
+    const std::vector<Vec3> bends = average_bends(bends_, x);
+    for_each_point(size(), [&](std::size_t i) {
+      if (!targets_[i].on_feature)
+        x[i] = plus(x[i], -0.25, within_free_axes(i, bends[i]));
+    });
+  }
+
+private:
+  static constexpr double kStiffness = 1 / (kBend * kBend);
+
+  Vec3 within_free_axes(std::size_t i, Vec3 v) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      v[axis] = targets_[i].free_axes[axis] ? v[axis] : 0;
+    return v;
+  }
+
+  const std::vector<Target> &targets_;
+  Bends bends_;
+  std::vector<Vec3> expected_;
+  std::vector<double> stiffness_; // per bend
+  std::vector<double> weight_;    // per target
+  std::vector<Vec3> parts_;       // scratch
+};
+
+/// Conjugate gradients. Goes on from x until the residual is small, or small beside `first_residual`, which is set
+/// where it is 0.
+void minimise(SmoothingSpline &spline, std::vector<Vec3> &x, double &first_residual)
+{
+  const std::size_t points = spline.size();
+  std::vector<Vec3> residual(points);
+  std::vector<Vec3> conditioned(points);
+  std::vector<Vec3> product(points);
+  const auto condition_residual = [&] {
+    for_each_point(points, [&](std::size_t i) { conditioned[i] = scaled(1 / spline.diagonal(i), residual[i]); });
+    return inner_product(residual, conditioned);
+  };
+  spline.residual(x, residual);
+  double size = condition_residual();
+  if (first_residual == 0)
+    first_residual = size;
+  std::vector<Vec3> direction = conditioned;
+  for (int iteration = 0; iteration < kMostIterations && size > kLeastResidual * first_residual; ++iteration) {
+    spline.multiply(direction, product);
+    const double step = size / inner_product(direction, product);
+    for_each_point(points, [&](std::size_t i) {
+      x[i] = plus(x[i], step, direction[i]);
+      residual[i] = plus(residual[i], -step, product[i]);
+    });
+    const double before = size;
+    size = condition_residual();
+    for_each_point(points, [&](std::size_t i) { direction[i] = plus(conditioned[i], size / before, direction[i]); });
+  }
+}
+
+} // namespace
+
+std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::vector<Target> &targets,
+                                 const std::vector<Vec3> &shape)
+{
+  SmoothingSpline spline(neighbours, targets, shape);
+  std::vector<Vec3> x = shape;
+  double first_residual = 0;
+  minimise(spline, x, first_residual);
+  for (int look = 0; look < kLooksAtCreases; ++look) {
+    spline.relax_creases(x);
+    minimise(spline, x, first_residual);
+  }
+  spline.centre_faces(x);
+  return x;
+}
+
+} // namespace volsurf
