@@ -522,14 +522,15 @@ def aim(renderer, points, arguments, has_legend):
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(*(1000 * number for number in towards_viewer))
+    camera.SetPosition(*towards_viewer)
     camera.SetViewUp(*up)
-    left, right, low, high = seen_extent(camera, points)
+    left, right, low, high, near = seen_extent(camera, points)
     bottom, top = 0.17 if has_legend else 0.04, 0.92 if arguments.captions else 0.96
     width, height = arguments.size
     scale = max((high - low) / (top - bottom), (right - left) / 0.94 * height / width) / 2 / arguments.zoom
     shift = (1 - top - bottom) * scale
-    move_to(camera, ((left + right) / 2, (low + high) / 2 + shift))
+    # No further away than need be: ambient occlusion knows depths in few digits, and would draw them as rings.
+    move_to(camera, ((left + right) / 2, (low + high) / 2 + shift), near + 3 * scale)
     camera.SetParallelScale(scale)
     renderer.ResetCameraClippingRange()
 
@@ -542,20 +543,19 @@ def sample_of_points(surfaces):
 
 
 def seen_extent(camera, points):
-    """Left, right, low and high of points as the camera sees them."""
+    """Left, right, low and high of points as the camera sees them, and how near to the viewer they come."""
     view = camera.GetViewTransformMatrix()
     seen = [view.MultiplyPoint((*point, 1)) for point in points]
-    across, upward = [point[0] for point in seen], [point[1] for point in seen]
-    return min(across), max(across), min(upward), max(upward)
+    across, upward, towards = ([point[axis] for point in seen] for axis in range(3))
+    return min(across), max(across), min(upward), max(upward), max(towards)
 
 
-def move_to(camera, middle):
-    """Moves a camera that looks at the origin, so that what it sees at (across, upward) is in its middle."""
+def move_to(camera, middle, forward):
+    """Moves a camera along its own axes, so that what it sees at (across, upward) is in its middle."""
     view = camera.GetViewTransformMatrix()
-    offset = [middle[0] * view.GetElement(0, axis) + middle[1] * view.GetElement(1, axis) for axis in range(3)]
-    position = camera.GetPosition()
-    camera.SetFocalPoint(*offset)
-    camera.SetPosition(*(start + move for start, move in zip(position, offset)))
+    move = [sum(way * view.GetElement(row, axis) for row, way in enumerate((*middle, forward))) for axis in range(3)]
+    camera.SetFocalPoint(*(start + offset for start, offset in zip(camera.GetFocalPoint(), move)))
+    camera.SetPosition(*(start + offset for start, offset in zip(camera.GetPosition(), move)))
 
 
 def shade_crevices(renderer, bounds):
