@@ -17,9 +17,13 @@ constexpr std::int64_t kPointsPerSlab = 4096;
 constexpr int kTakeBackPasses = 6; ///< moves are halved so often before they are given up
 
 /// A way is dropped where it differs from the median of those around by so many times their median deviation, which
-/// counts as at least this part of a voxel.
+/// counts as at least this part of a voxel: so far apart smoothing leaves ways where nothing is wrong.
 constexpr double kOutlierDeviations = 3;
-constexpr double kLeastDeviationVoxels = 0.1;
+constexpr double kUsualDeviationVoxels = 0.1;
+
+/// What a deviation beyond that adds to the error. At 1 the crease between the study's blobs suffers; without it, thin
+/// folds of brains become ragged.
+constexpr double kErrorOfDeviation = 0.6;
 
 /// How far off a point may be, in voxels of the smallest spacing, where it did not find its edge and stands where
 /// smoothing has put it.
@@ -157,30 +161,44 @@ std::vector<Way> find_ways(const Mesh &mesh, const Grid &grid, const PointStars 
   return ways;
 }
 
-/// Noise, impulses above all, makes edges of its own.
-bool is_outlier(PointId point, const std::vector<Way> &ways, const Mesh &mesh, const PointStars &stars,
-                std::vector<double> &around)
+/// The ways around a point, its own among them.
+struct WaysAround {
+  double median_mm = 0;
+  double deviation_mm = 0; ///< the median deviation from it
+};
+
+WaysAround measure_around(PointId point, const std::vector<Way> &ways, const Mesh &mesh, const PointStars &stars,
+                          std::vector<double> &lengths)
 {
-  around.clear();
+  lengths.clear();
   stars.for_each(point, [&](std::size_t t) {
     for (const PointId other : mesh.triangles[t])
       if (ways[other].known)
-        around.push_back(ways[other].length_mm);
+        lengths.push_back(ways[other].length_mm);
   });
-  const double middle = median(around);
-  for (double &length : around)
-    length = std::abs(length - middle);
-  const double deviation = std::max(median(around), kLeastDeviationVoxels * ways[point].voxel_mm);
-  return std::abs(ways[point].length_mm - middle) > kOutlierDeviations * deviation;
+  WaysAround around;
+  around.median_mm = median(lengths);
+  for (double &length : lengths)
+    length = std::abs(length - around.median_mm);
+  around.deviation_mm = median(lengths);
+  return around;
 }
 
-void drop_outliers(const Mesh &mesh, const PointStars &stars, std::vector<Way> &ways)
+/// Drops what noise, impulses above all, takes for edges. Where ways differ more than smoothing leaves points off, they
+/// are less certain than noise alone would have them: several edges are near, or none is clear.
+void judge_ways(const Mesh &mesh, const PointStars &stars, std::vector<Way> &ways)
 {
   const std::vector<Way> all = ways;
   for_each_point(mesh, [&](PointId point) {
-    thread_local std::vector<double> around;
-    if (all[point].known && is_outlier(point, all, mesh, stars, around))
-      ways[point].known = false;
+    thread_local std::vector<double> lengths;
+    Way &way = ways[point];
+    if (!way.known)
+      return;
+    const WaysAround around = measure_around(point, all, mesh, stars, lengths);
+    const double usual_mm = kUsualDeviationVoxels * way.voxel_mm;
+    const double deviation_mm = std::max(around.deviation_mm, usual_mm);
+    way.known = std::abs(way.length_mm - around.median_mm) <= kOutlierDeviations * deviation_mm;
+    way.error_mm = std::hypot(way.error_mm, kErrorOfDeviation * (deviation_mm - usual_mm));
   });
 }
 
@@ -307,7 +325,7 @@ SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, do
   const std::vector<Vec3> positions = positions_of(mesh, grid);
   const std::vector<FreeAxes> free_axes = find_free_axes(mesh, grid);
   std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, find_edge);
-  drop_outliers(mesh, stars, ways);
+  judge_ways(mesh, stars, ways);
   const auto targets = make_targets(mesh, stars, positions, free_axes, ways, smallest_spacing_mm(grid), least_error);
   std::vector<Vec3> moves = fair_moves(mesh, grid, positions, targets);
 
