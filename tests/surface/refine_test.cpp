@@ -50,14 +50,20 @@ Mesh stretched_mesh(Dice &dice)
   return mesh_of(labels, grid, all_sides(labels), false);
 }
 
+std::pair<Mesh, Mesh> before_and_after(std::uint64_t seed)
+{
+  Dice dice(seed);
+  const Mesh before = stretched_mesh(dice);
+  Mesh after = before;
+  halve_long_edges(after, 1.5);
+  return {before, after};
+}
+
 } // namespace
 
 RC_GTEST_PROP(HalveLongEdges, KeepsTheSurfaceItsSidesAndItsArrays, ())
 {
-  Dice dice(*random_seed());
-  const Mesh before = stretched_mesh(dice);
-  Mesh after = before;
-  halve_long_edges(after, 1.5);
+  const auto [before, after] = before_and_after(*random_seed());
   const Sums expected = sums_of(before);
   const Sums found = sums_of(after);
   RC_ASSERT(found.size() == expected.size());
@@ -68,10 +74,7 @@ RC_GTEST_PROP(HalveLongEdges, KeepsTheSurfaceItsSidesAndItsArrays, ())
 
 RC_GTEST_PROP(HalveLongEdges, OpensNothingAndMakesNoNewJunctionsOfPoints, ())
 {
-  Dice dice(*random_seed());
-  const Mesh before = stretched_mesh(dice);
-  Mesh after = before;
-  halve_long_edges(after, 1.5);
+  const auto [before, after] = before_and_after(*random_seed());
   const auto expected = check_mesh(before);
   const auto found = check_mesh(after);
   RC_ASSERT(found.open_edges == expected.open_edges);

@@ -1,26 +1,17 @@
 #include "volsurf/surface/fairing.h"
 
-#include "volsurf/core/parallel.h"
 #include "volsurf/core/vec3.h"
+#include "volsurf/surface/point_loop.h"
 
 namespace volsurf {
 
 namespace {
 
-constexpr std::int64_t kPointsPerSlab = 4096;
 constexpr int kShapeRounds = 5;         ///< over which the bends of the given surface are averaged
 constexpr int kLooksAtCreases = 2;      ///< how often the problem is solved again
 constexpr double kCreaseBends = 3;      ///< a bend off by so many sd costs half of what it did
 constexpr int kMostIterations = 15;     ///< of one solution; more change the study's distances by less than 0.001 voxel
 constexpr double kLeastResidual = 1e-3; ///< squared, relative to the first, where a solution is good enough
-
-template <typename Work> void for_each_point(std::size_t points, Work work)
-{
-  parallel_for_slabs(static_cast<std::int64_t>(points), kPointsPerSlab, [&](const Slab &slab) {
-    for (std::int64_t point = slab.begin; point < slab.end; ++point)
-      work(static_cast<std::size_t>(point));
-  });
-}
 
 double inner_product(const std::vector<Vec3> &a, const std::vector<Vec3> &b)
 {

@@ -1,9 +1,9 @@
 #include "volsurf/surface/snap.h"
 
-#include "volsurf/core/parallel.h"
 #include "volsurf/core/vec3.h"
 #include "volsurf/surface/cap_points.h"
 #include "volsurf/surface/fairing.h"
+#include "volsurf/surface/point_loop.h"
 #include "volsurf/surface/point_stars.h"
 
 #include <algorithm>
@@ -13,7 +13,6 @@ namespace volsurf {
 
 namespace {
 
-constexpr std::int64_t kPointsPerSlab = 4096;
 constexpr int kTakeBackPasses = 6; ///< moves are halved so often before they are given up
 
 /// A way is dropped where it differs from the median of those around by so many times their median deviation, which
@@ -47,10 +46,7 @@ double median(std::vector<double> &values)
 
 template <typename Work> void for_each_point(const Mesh &mesh, Work work)
 {
-  parallel_for_slabs(static_cast<std::int64_t>(mesh.points.size()), kPointsPerSlab, [&](const Slab &slab) {
-    for (std::int64_t point = slab.begin; point < slab.end; ++point)
-      work(static_cast<PointId>(point));
-  });
+  volsurf::for_each_point(mesh.points.size(), [&](std::size_t point) { work(static_cast<PointId>(point)); });
 }
 
 /// Positions in millimetres along the axes of the grid, where the border planes are upright, whatever the grid's place
