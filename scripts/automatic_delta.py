@@ -161,7 +161,7 @@ WHY = {
     ),
     "cranium, skull, no noise added": (
         "A wall with holes: where bone is thinner than the Gaussian it has no wall of its own. The region at the seed "
-        "is much of the skull, Dice 0.71 at most, in a narrow range of deltas only (62 to 66). At the chosen delta "
+        "is much of the skull, Dice 0.71 at most, in a narrow range of deltas only (52 to 58). At the chosen delta "
         "the hull is the head, as it should be, and the skull is cut into pieces."
     ),
     "cranium, skull, no noise added, sigma 1.5 mm": "As above; the range is 43 to 45.",
