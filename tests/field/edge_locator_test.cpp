@@ -151,3 +151,12 @@ TEST(EdgeLocator, IsSureWithoutNoise)
   ASSERT_TRUE(edge.has_value());
   EXPECT_EQ(edge->error_mm, 0);
 }
+
+TEST(EdgeLocator, FindsNothingWhereAllIsFlat)
+{
+  const EdgeLocator locator(body([](const Vec3 &p) { return p[0] - 20.25; }), 1.0, 0.0);
+  for (double x = 22; x < 30; x += 0.1) {
+    const auto edge = locator.find({x, 20, 20}, {-1, 0, 0}, 1.5);
+    EXPECT_TRUE(!edge || std::isfinite(edge->error_mm)) << x;
+  }
+}

@@ -70,6 +70,8 @@ std::optional<LocatedEdge> EdgeLocator::find(const Vec3 &index, const Vec3 &dire
   const double way_mm = (value_first > 0) == (value_near > 0) ? zero_between(first, value_first, far, value_far)
                                                               : zero_between(near, value_near, first, value_first);
   const double gradient = length(volume_.derivatives_at(plus(index, way_mm, voxels_per_mm)).gradient);
+  if (!(gradient > 0))
+    return std::nullopt; // where all is flat PLUS is 0, too
   return LocatedEdge{way_mm, error_times_gradient_ / gradient};
 }
 
