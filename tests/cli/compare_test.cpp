@@ -193,7 +193,7 @@ TEST_F(CompareProgram, WarnsOfAnOpenSurface)
 TEST_F(CompareProgram, AgreesWithPlastimatch)
 {
   if (!has_program("plastimatch"))
-    GTEST_SKIP() << "plastimatch is not installed";
+    GTEST_SKIP() << "plastimatch is missing: apt-get install plastimatch";
   const auto ball = [&](const std::string &name, double x) {
     std::string bytes;
     for (const float sample : ball_samples({x, 8.5, 8.5}))

@@ -101,6 +101,17 @@ bool is_on_junction(PointId point, const Mesh &mesh, const PointStars &stars, st
   return false;
 }
 
+/// 1 for the points on junctions.
+std::vector<char> find_junctions(const Mesh &mesh, const PointStars &stars)
+{
+  std::vector<char> on_junction(mesh.points.size());
+  for_each_point(mesh, [&](PointId point) {
+    thread_local std::vector<PointId> neighbours;
+    on_junction[point] = is_on_junction(point, mesh, stars, neighbours) ? 1 : 0;
+  });
+  return on_junction;
+}
+
 /// The mean normal of the walls at a point, within its free axes; nothing inside caps.
 std::optional<Vec3> wall_normal(PointId point, const Mesh &mesh, const PointStars &stars,
                                 const std::vector<Vec3> &positions, const FreeAxes &free_axes)
@@ -137,12 +148,11 @@ struct Way {
 
 std::vector<Way> find_ways(const Mesh &mesh, const Grid &grid, const PointStars &stars,
                            const std::vector<Vec3> &positions, const std::vector<FreeAxes> &free_axes,
-                           const FindEdge &find_edge)
+                           const std::vector<char> &on_junction, const FindEdge &find_edge)
 {
   std::vector<Way> ways(mesh.points.size());
   for_each_point(mesh, [&](PointId point) {
-    thread_local std::vector<PointId> neighbours;
-    if (is_on_junction(point, mesh, stars, neighbours))
+    if (on_junction[point] != 0)
       return; // it has several normals
     const auto direction = wall_normal(point, mesh, stars, positions, free_axes[point]);
     if (!direction)
@@ -224,12 +234,11 @@ bool is_on_rim(PointId point, const Mesh &mesh, const PointStars &stars)
 
 /// What each point says of its place, in voxels.
 std::vector<Target> make_targets(const Mesh &mesh, const PointStars &stars, const std::vector<Vec3> &positions,
-                                 const std::vector<FreeAxes> &free_axes, const std::vector<Way> &ways, double voxel_mm,
-                                 double least_error)
+                                 const std::vector<FreeAxes> &free_axes, const std::vector<char> &on_junction,
+                                 const std::vector<Way> &ways, double voxel_mm, double least_error)
 {
   std::vector<Target> targets(positions.size());
   for_each_point(mesh, [&](PointId point) {
-    thread_local std::vector<PointId> neighbours;
     const Way &way = ways[point];
     Target &target = targets[point];
     target.position =
@@ -237,7 +246,7 @@ std::vector<Target> make_targets(const Mesh &mesh, const PointStars &stars, cons
     target.error =
         way.known ? std::hypot(least_error, error_around(point, ways, mesh, stars) / voxel_mm) : kErrorWithoutEdge;
     target.free_axes = free_axes[point];
-    target.on_feature = is_on_junction(point, mesh, stars, neighbours) || is_on_rim(point, mesh, stars);
+    target.on_feature = on_junction[point] != 0 || is_on_rim(point, mesh, stars);
   });
   return targets;
 }
@@ -320,9 +329,11 @@ SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, do
   const PointStars stars(mesh);
   const std::vector<Vec3> positions = positions_of(mesh, grid);
   const std::vector<FreeAxes> free_axes = find_free_axes(mesh, grid);
-  std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, find_edge);
+  const std::vector<char> on_junction = find_junctions(mesh, stars);
+  std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, on_junction, find_edge);
   judge_ways(mesh, stars, ways);
-  const auto targets = make_targets(mesh, stars, positions, free_axes, ways, smallest_spacing_mm(grid), least_error);
+  const auto targets =
+      make_targets(mesh, stars, positions, free_axes, on_junction, ways, smallest_spacing_mm(grid), least_error);
   std::vector<Vec3> moves = fair_moves(mesh, grid, positions, targets);
 
   SnapResult result;
