@@ -2,9 +2,9 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
+#include "volsurf/topology/step_entries.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace volsurf {
@@ -13,22 +13,13 @@ namespace {
 
 constexpr BasinId kUnknown = 0xFFFFFFFFU;
 
-/// Marks an entry of the labels that is not a label yet, but leads to another cell of the slab: the flag and the cell's
-/// place in the slab.
-constexpr BasinId kPointerFlag = 0x80000000U;
-
-bool is_pointer(BasinId entry)
-{
-  return (entry & kPointerFlag) != 0;
-}
-
 /// Is it a pointer to a cell before this one? Labels wrap round to places that no slab has.
 bool leads_back(BasinId entry, std::int64_t cell)
 {
-  return entry - kPointerFlag < static_cast<BasinId>(cell);
+  return (entry ^ kPointerFlag) < static_cast<BasinId>(cell);
 }
 
-/// condition ? a : b without a branch: here it would be a coin's throw.
+/// condition ? a : b without a branch: here it would be a die's throw.
 BasinId choose(bool condition, BasinId a, BasinId b)
 {
   const BasinId mask = 0 - static_cast<BasinId>(condition);
@@ -46,16 +37,15 @@ struct Exit {
 ///
 /// The forward pass writes, for a step to a later cell, a pointer to it, and for a step to an earlier cell what stands
 /// there, a label or a pointer; pointers to cells that have been passed are followed on. So pointers always lead to
-/// later cells, and the backward pass finds a label behind each.
+/// later cells, and the backward pass finds a label behind each. It goes row by row: roots and the steps out of the
+/// slab get their labels, enter_steps() does what no other cell of the row has a part in, and a scan does the rest.
 class SlabLabeller {
 public:
   SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins,
                std::vector<Exit> &exits)
-      : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), row_(cells.row), exterior_(exterior),
-        basins_(basins), exits_(exits), runs_(static_cast<std::size_t>(cells.row))
+      : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), row_(cells.row), plane_(cells.plane),
+        exterior_(exterior), basins_(basins), exits_(exits), runs_(static_cast<std::size_t>(cells.row))
   {
-    for (Step step = 0; step < kNoStep; ++step)
-      offsets_[step] = cells.offset(step);
   }
 
   /// Returns the number of cells that belong to the exterior's basin.
@@ -71,35 +61,37 @@ private:
   {
     const auto &roots = basins_.roots;
     const auto last = exterior_ == kUnknown ? roots.end() : roots.end() - 1;
-    auto next_root = static_cast<BasinId>(std::lower_bound(roots.begin(), last, begin_) - roots.begin());
-    for (std::int64_t cell = 0; cell < size_; ++cell) {
-      const Step step = step_of(entries_[cell]);
-      if (step == kNoStep)
-        entries_[cell] = next_root++;
-      else if (step == kToExterior)
-        entries_[cell] = exterior_;
-      else
-        entries_[cell] = entry_after(cell, cell + offsets_[step]);
+    auto root = std::lower_bound(roots.begin(), last, begin_);
+    for (std::int64_t row = 0; row < size_; row += row_) {
+      for (; root != last && *root < begin_ + row + row_; ++root)
+        entries_[*root - begin_] = static_cast<BasinId>(root - roots.begin());
+      if (row < plane_)
+        label_exits(row, kToLowerPlane);
+      if (row >= size_ - plane_)
+        label_exits(row, kToUpperPlane);
+      enter_steps({entries_, row, row_, plane_, exterior_});
+      scan_row(row);
     }
   }
 
-  BasinId entry_after(std::int64_t cell, std::int64_t target)
+  void label_exits(std::int64_t row, Step step)
   {
-    if (target < 0 || target >= size_)
-      return new_exit(begin_ + target);
-    BasinId entry = choose(target < cell, entries_[target], static_cast<BasinId>(target) | kPointerFlag);
-    entry = followed(entry, cell); // the first time without a branch, which would often be mispredicted
-    while (leads_back(entry, cell))
-      entry = entries_[entry & ~kPointerFlag];
-    return entry;
+    for (std::int64_t cell = row; cell < row + row_; ++cell)
+      if (entries_[cell] == step_code(step))
+        entries_[cell] = new_exit(begin_ + cell + (step == kToUpperPlane ? plane_ : -plane_));
   }
 
-  /// What stands where an entry leads back to, else the entry.
-  BasinId followed(BasinId entry, std::int64_t cell) const
+  /// The first pointer is followed without a branch, which would often be mispredicted.
+  void scan_row(std::int64_t row)
   {
-    const bool leads = leads_back(entry, cell);
-    const BasinId next = entries_[choose(leads, entry & ~kPointerFlag, static_cast<BasinId>(cell))];
-    return choose(leads, next, entry);
+    BasinId left = kUnknown;
+    for (std::int64_t cell = row; cell < row + row_; ++cell) {
+      BasinId entry = entries_[std::min(entries_[cell] ^ kPointerFlag, static_cast<BasinId>(cell))];
+      while (leads_back(entry, cell))
+        entry = entries_[entry ^ kPointerFlag];
+      left = choose(entry == kToTheLeft, left, entry);
+      entries_[cell] = left;
+    }
   }
 
   BasinId new_exit(CellId target)
@@ -134,10 +126,11 @@ private:
     return last_run + 1;
   }
 
+  /// Labels, without their flag, are negative numbers.
   BasinId read(std::int64_t cell)
   {
-    const BasinId own = entries_[cell];
-    return entries_[cell] = entries_[choose(is_pointer(own), own & ~kPointerFlag, static_cast<BasinId>(cell))];
+    const auto target = static_cast<std::int32_t>(entries_[cell] ^ kPointerFlag);
+    return entries_[cell] = entries_[std::max(target, static_cast<std::int32_t>(cell))];
   }
 
   void count_runs(std::int64_t row_end, const std::int64_t *runs_end)
@@ -162,12 +155,12 @@ private:
   CellId begin_;
   std::int64_t size_;
   std::int64_t row_;
+  std::int64_t plane_;
   BasinId exterior_;
   Basins &basins_;
   std::vector<Exit> &exits_;
   std::vector<std::int64_t> runs_; // of a row: where they begin
   std::int64_t exterior_cells_ = 0;
-  std::array<std::int64_t, kNoStep> offsets_{};
 };
 
 Basins collect_roots(const CellGrid &cells, StarSweep &sweep, Exterior exterior)
@@ -225,12 +218,13 @@ void relabel_exits(const Slab &slab, std::int64_t cells_per_plane, const std::ve
       basins.labels[cell] = exits[basins.labels[cell] - first_exit].basin;
 }
 
-/// Cells per slab must leave room for the pointers' flag.
+/// Cells per slab must leave room for the pointers' flag and the codes of steps.
 std::int64_t checked_planes_per_slab(const CellGrid &cells, std::int64_t planes_per_slab)
 {
-  const std::int64_t most = std::int64_t{kPointerFlag} / cells.plane;
+  const std::int64_t most = kMostEntries / cells.plane;
   if (most < 1)
-    throw Error("a plane of the volume has " + std::to_string(cells.plane) + " cells; at most 2147483648 are allowed");
+    throw Error("a plane of the volume has " + std::to_string(cells.plane) + " cells; at most " +
+                std::to_string(kMostEntries) + " are allowed");
   return std::min(planes_per_slab, most);
 }
 
