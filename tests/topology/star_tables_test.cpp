@@ -8,6 +8,8 @@ using namespace volsurf;
 
 namespace {
 
+constexpr std::size_t kNowhere = 99;
+
 std::size_t hops_between(int a, int b)
 {
   return std::bitset<3>(static_cast<unsigned>(a ^ b)).count();
@@ -16,7 +18,7 @@ std::size_t hops_between(int a, int b)
 /// By the distances in the cube, of which any two octants are joined by a shortest way.
 std::size_t hops_to_old(unsigned cells, int octant)
 {
-  std::size_t hops = kNoLayer;
+  std::size_t hops = kNowhere;
   for (int other = 0; other < kOctants; ++other)
     if ((cells >> other & 1U) == 0)
       hops = std::min(hops, hops_between(octant, other));
@@ -44,11 +46,47 @@ TEST(StarFaces, LieBetweenOctantsThatDifferInTheirAxis)
   }
 }
 
-TEST(StarTables, LayerIsTheDistanceToTheNearestOldOctant)
+TEST(StarTables, LayerOfAFaceIsTheDistanceOfItsNearerOctantToAnOldOne)
 {
   for (unsigned cells = 0; cells < 256; ++cells)
+    for (int f = 0; f < kStarFaces; ++f)
+      for (std::size_t layer = 0; layer < kFaceLayers; ++layer)
+        EXPECT_EQ((star_tables().layer_faces[cells][layer] >> f & 1U) != 0,
+                  std::min(hops_to_old(cells, lower_octant(f)), hops_to_old(cells, upper_octant(f))) == layer)
+            << cells << ' ' << f;
+}
+
+TEST(StarTables, FirstLayerOfSomeFacesIsTheLowestThatTheyHave)
+{
+  for (unsigned cells = 0; cells < 255; ++cells)
+    for (unsigned faces = 1; faces < 4096; ++faces) {
+      const auto &layers = star_tables().layer_faces[cells];
+      std::size_t layer = 0;
+      while ((faces & layers[layer]) == 0)
+        ++layer;
+      ASSERT_EQ(star_tables().of_first_layer(faces, cells), faces & layers[layer]) << cells << ' ' << faces;
+    }
+}
+
+TEST(StarTables, FacesAcrossAnAxisAreThoseOfTheOctants)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (unsigned octants = 0; octants < 256; ++octants)
+      for (int f = 0; f < kStarFaces; ++f)
+        EXPECT_EQ((star_tables().faces_across[axis][octants] >> f & 1U) != 0,
+                  f / 4 == static_cast<int>(axis) &&
+                      ((octants >> lower_octant(f) | octants >> upper_octant(f)) & 1U) != 0);
+}
+
+TEST(StarTables, DeepFacesAreThoseAlongTheAxesOfDeepOctants)
+{
+  for (unsigned cells = 0; cells < 255; ++cells) {
+    unsigned expected = 0;
     for (int octant = 0; octant < kOctants; ++octant)
-      EXPECT_EQ(star_tables().layer[cells][octant], hops_to_old(cells, octant)) << cells << ' ' << octant;
+      if ((star_tables().deep[cells] >> octant & 1U) != 0)
+        expected |= 1U << star_face_of(octant, star_tables().deep_axis[cells][octant]);
+    EXPECT_EQ(star_tables().deep_faces[cells], expected) << cells;
+  }
 }
 
 TEST(StarTables, DeepAxisIsTheFirstOneThatLeadsTowardsAnOldOctant)
@@ -80,7 +118,16 @@ TEST(StarTables, InnerFacesLieBetweenTwoOctantsOfTheSet)
                 (octants >> lower_octant(f) & octants >> upper_octant(f) & 1U) != 0);
 }
 
-TEST(StarTables, PartsAreJoinedByOldFaces)
+TEST(StarTables, JoiningFacesLieBetweenOctantsThatOldFacesDoNotConnect)
+{
+  for (unsigned faces = 0; faces < 4096; ++faces)
+    for (int f = 0; f < kStarFaces; ++f)
+      ASSERT_EQ((star_tables().joining[faces] >> f & 1U) != 0,
+                !old_faces_connect(faces, lower_octant(f), upper_octant(f)))
+          << faces << ' ' << f;
+}
+
+TEST(StarTables, PartsAreLoneOrJoinedByOldFaces)
 {
   for (unsigned faces = 0; faces < 4096; ++faces) {
     unsigned isolated = 0;
@@ -89,7 +136,6 @@ TEST(StarTables, PartsAreJoinedByOldFaces)
       unsigned part = 0;
       for (int b = 0; b < kOctants; ++b)
         part |= static_cast<unsigned>(old_faces_connect(faces, a, b)) << b;
-      ASSERT_EQ(star_tables().parts[faces][a], part) << faces << ' ' << a;
       const bool alone = part == 1U << a;
       isolated |= static_cast<unsigned>(alone) << a;
       joined_parts += !alone && part % (1U << a) == 0 ? 1 : 0;

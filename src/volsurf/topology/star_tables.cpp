@@ -1,10 +1,14 @@
 #include "volsurf/topology/star_tables.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace volsurf {
 
 namespace {
+
+constexpr int kLayers = 3; // of newborn octants
+constexpr std::uint8_t kNoLayer = 255;
 
 bool has_bit(unsigned set, int bit)
 {
@@ -46,6 +50,36 @@ std::array<std::uint8_t, kOctants> deep_axes_of(const std::array<std::uint8_t, k
   return axes;
 }
 
+std::uint16_t faces_across(unsigned octants, int axis)
+{
+  unsigned faces = 0;
+  for (int o = 0; o < kOctants; ++o)
+    if (has_bit(octants, o))
+      faces |= 1U << star_face_of(o, axis);
+  return static_cast<std::uint16_t>(faces);
+}
+
+std::uint16_t deep_faces_of(std::uint8_t deep, const std::array<std::uint8_t, kOctants> &deep_axis)
+{
+  unsigned faces = 0;
+  for (int o = 0; o < kOctants; ++o)
+    if (has_bit(deep, o))
+      faces |= 1U << star_face_of(o, deep_axis[o]);
+  return static_cast<std::uint16_t>(faces);
+}
+
+std::array<std::uint16_t, kFaceLayers> layer_faces_of(const std::array<std::uint8_t, kOctants> &layer)
+{
+  std::array<std::uint16_t, kFaceLayers> faces{};
+  for (int f = 0; f < kStarFaces; ++f) {
+    const std::uint8_t layer_of_face = std::min(layer[lower_octant(f)], layer[upper_octant(f)]);
+    if (layer_of_face != kNoLayer)
+      faces[layer_of_face] = static_cast<std::uint16_t>(faces[layer_of_face] | 1U << f);
+  }
+  return faces;
+}
+
+/// The octants that are joined to each by faces that are not newborn.
 std::array<std::uint8_t, kOctants> parts_of(unsigned newborn_faces)
 {
   std::array<std::uint8_t, kOctants> part{};
@@ -60,6 +94,15 @@ std::array<std::uint8_t, kOctants> parts_of(unsigned newborn_faces)
         part[o] = joined;
   }
   return part;
+}
+
+std::uint16_t faces_joining(const std::array<std::uint8_t, kOctants> &part)
+{
+  unsigned faces = 0;
+  for (int f = 0; f < kStarFaces; ++f)
+    if (part[lower_octant(f)] != part[upper_octant(f)])
+      faces |= 1U << f;
+  return static_cast<std::uint16_t>(faces);
 }
 
 std::uint16_t faces_within(unsigned octants)
@@ -91,14 +134,18 @@ std::unique_ptr<StarTables> make_tables()
 {
   auto tables = std::make_unique<StarTables>();
   for (unsigned cells = 0; cells < 256; ++cells) {
-    tables->layer[cells] = layers_of(cells);
+    const auto layer = layers_of(cells);
     tables->deep[cells] = deep_octants(cells);
-    tables->deep_axis[cells] = deep_axes_of(tables->layer[cells]);
+    tables->deep_axis[cells] = deep_axes_of(layer);
+    tables->deep_faces[cells] = deep_faces_of(tables->deep[cells], tables->deep_axis[cells]);
+    for (int axis = 0; axis < 3; ++axis)
+      tables->faces_across[axis][cells] = faces_across(cells, axis);
+    tables->layer_faces[cells] = layer_faces_of(layer);
     tables->inner_faces[cells] = faces_within(cells);
   }
   for (unsigned faces = 0; faces < 4096; ++faces) {
     const auto part = parts_of(faces);
-    tables->parts[faces] = part;
+    tables->joining[faces] = faces_joining(part);
     tables->lone_and_joined[faces] = lone_and_joined_of(part);
   }
   return tables;

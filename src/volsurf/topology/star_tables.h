@@ -12,20 +12,30 @@
 
 namespace volsurf {
 
-struct StarTables {
-  /// layer[cells][o]: hops from octant o to the nearest octant that is not newborn; 0 for such octants themselves, and
-  /// kNoLayer where all are newborn.
-  std::array<std::array<std::uint8_t, kOctants>, 256> layer;
+constexpr int kFaceLayers = 3; ///< an octant of layer 3 has none but nearer neighbours
 
-  /// deep[cells]: the newborn octants whose three neighbours are newborn, too.
+struct StarTables {
+  // The layer of an octant is the number of hops from it to the nearest octant that is not newborn; 0 for such octants
+  // themselves.
+
+  /// deep[cells]: the newborn octants whose three neighbours are newborn, too: of layer 2 or 3.
   std::array<std::uint8_t, 256> deep;
 
   /// deep_axis[cells][o]: the axis of the first face in K of newborn octant o, where it is deep: towards the
   /// neighbour of the next lower layer, lowest axis first.
   std::array<std::array<std::uint8_t, kOctants>, 256> deep_axis;
 
-  /// parts[faces][o]: the set of octants that are joined to octant o by faces that are not newborn.
-  std::array<std::array<std::uint8_t, kOctants>, 4096> parts;
+  /// deep_faces[cells]: the first faces in K of all deep octants.
+  std::array<std::uint16_t, 256> deep_faces;
+
+  /// faces_across[axis][octants]: the faces between octants of a set and their neighbours along the axis.
+  std::array<std::array<std::uint16_t, 256>, 3> faces_across;
+
+  /// joining[faces]: those of the faces that join two parts, where a part is what the other faces of the star join.
+  std::array<std::uint16_t, 4096> joining;
+
+  /// layer_faces[cells][i]: the faces whose octants' lower layer is i. None where all octants are newborn.
+  std::array<std::array<std::uint16_t, kFaceLayers>, 256> layer_faces;
 
   /// inner_faces[octants]: the faces between two octants of a set.
   std::array<std::uint16_t, 256> inner_faces;
@@ -36,10 +46,16 @@ struct StarTables {
 
   /// One bit for each part that reaches outside, which has a cell that is not newborn.
   unsigned parts_outside(unsigned cells, unsigned faces) const { return lone_and_joined[faces] & ~cells; }
-};
 
-constexpr int kLayers = 3; ///< of newborn octants
-constexpr std::uint8_t kNoLayer = 255;
+  /// Those of some faces that are in the lowest layer of them all.
+  unsigned of_first_layer(unsigned faces, unsigned cells) const
+  {
+    const unsigned first = faces & layer_faces[cells][0];
+    const unsigned second = faces & layer_faces[cells][1];
+    const unsigned later = second != 0 ? second : faces;
+    return first != 0 ? first : later;
+  }
+};
 
 /// Computed once, on first use; thread-safe.
 const StarTables &star_tables();
