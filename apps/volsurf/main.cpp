@@ -61,9 +61,9 @@ void print_summary(const volsurf::Report &report, volsurf::Verbosity verbosity)
 void print_expectation(const volsurf::Grid &grid, volsurf::Method method, std::ostream &out)
 {
   out << "volume      " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2] << " samples of "
-      << grid.spacing_mm[0] << " x " << grid.spacing_mm[1] << " x " << grid.spacing_mm[2] << " mm\n"
-      << "memory      " << static_cast<double>(volsurf::expected_memory_bytes(grid, method)) / 1e6
-      << " MB expected without the mesh\n";
+      << grid.spacing_mm[0] << " x " << grid.spacing_mm[1] << " x " << grid.spacing_mm[2] << " mm"
+      << (grid.oversampling > 1 ? ", twice as fine as the scan\n" : "\n") << "memory      "
+      << static_cast<double>(volsurf::expected_memory_bytes(grid, method)) / 1e6 << " MB expected without the mesh\n";
 }
 
 void print_advice(const volsurf::DeltaAdvice &advice)

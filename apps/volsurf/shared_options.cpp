@@ -1,6 +1,7 @@
 #include "shared_options.h"
 
 #include "volsurf/field/median.h"
+#include "volsurf/field/oversample.h"
 
 #include <sstream>
 
@@ -29,9 +30,13 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
                  "Replace each sample by the median of (2R+1)^3 first, R in voxels: against impulse noise [0]")
       ->group("Field")
       ->check(CLI::Range(0, kLargestMedian));
-  app.add_option(
-         "--sigma", settings.field.sigma_mm,
-         "Gaussian for the gradient in mm; 0: central differences [one voxel: the geometric mean of the spacings]")
+  app.add_option("--oversample", settings.oversampling,
+                 "Look at the scan on a grid N times as fine, 1 or 2: for folds thinner than two voxels [1]")
+      ->group("Field")
+      ->check(CLI::Range(1, kLargestOversampling));
+  app.add_option("--sigma", settings.field.sigma_mm,
+                 "Gaussian for the gradient in mm; 0: central differences [the geometric mean of the spacings, with "
+                 "--oversample 2 0.75 of it]")
       ->group("Field");
   app.add_flag("--edge-map", settings.field.edge_map,
                "The input is an edge strength already (a gradient magnitude, a network's boundary map)")
@@ -41,6 +46,7 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
                "Exactly the paper: --sigma 0 --exterior infinite, and surfaces on the voxels' faces")
       ->group("Field")
       ->excludes("--median")
+      ->excludes("--oversample")
       ->excludes("--sigma")
       ->excludes("--edge-map");
 }

@@ -61,6 +61,7 @@ TEST_F(BadUsage, PaperSetsSigmaExteriorAndFieldItself)
 {
   expect_usage("--delta 2 --paper --sigma 1", {"--paper", "--sigma"});
   expect_usage("--delta 2 --paper --median 1", {"--paper", "--median"});
+  expect_usage("--delta 2 --paper --oversample 2", {"--paper", "--oversample"});
   expect_usage("--delta 2 --paper --exterior none", {"--paper", "--exterior"});
   expect_usage("--delta 2 --paper --edge-map", {"--paper", "--edge-map"});
   expect_usage("--delta 2 --edge-map --sigma 1", {"--edge-map", "--sigma"});
@@ -128,6 +129,8 @@ TEST_F(BadUsage, NumbersOutOfRangeAreAnsweredWithTheRange)
   for (const std::string volume : {"-1", "nan", "inf"})
     expect_usage("--delta 2 --min-volume " + volume, {"--min-volume: found " + volume, "allowed are finite numbers"});
   expect_usage("--delta 2 --sigma -1", {"--sigma: found -1; allowed are 0 to 64 mm"});
+  for (const std::string factor : {"0", "3"})
+    expect_usage("--delta 2 --oversample " + factor, {"--oversample", factor, "1 to 2"});
 }
 
 TEST_F(BadUsage, OptionsAreCheckedBeforeTheInputIsRead)

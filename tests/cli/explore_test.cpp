@@ -144,8 +144,8 @@ TEST_F(Explore, FrameRasTurnsTheSeeds)
 
 TEST_F(Explore, CommandsRepeatWhatDecidesOnTheRegions)
 {
-  const std::string text = explored(ball() + " --sigma 1.5 --exterior infinite");
-  EXPECT_TRUE(contains(text, "ball.nrrd --sigma 1.5 --exterior infinite --delta "));
+  const std::string options = " --median 1 --oversample 2 --sigma 1.5 --exterior infinite";
+  EXPECT_TRUE(contains(explored(ball() + options), "ball.nrrd" + options + " --delta "));
 }
 
 TEST_F(Explore, TellsWhatItTookWhenVerbose)

@@ -125,12 +125,18 @@ TEST_F(GoodRun, LabelsLieOverTheScan)
   const std::string place =
       "space: left-posterior-superior\nspace origin: (10,20,30)\nspace directions: (1,0,0) (0,2,0) "
       "(0,0,4)\n";
-  expect_done(input("placed.nrrd", float_nrrd(ball_samples(), kBallSizes, place)) + " --delta 2 --labels l.nrrd");
+  const std::string run = input("placed.nrrd", float_nrrd(ball_samples(), kBallSizes, place)) + " --delta 2";
+  expect_done(run + " --labels l.nrrd");
   const std::string labels = read_file(work / "l.nrrd");
   EXPECT_TRUE(contains(labels, "\nspace: left-posterior-superior\n"));
   EXPECT_TRUE(contains(labels, "\nsizes: 17 17 17\n"));
   EXPECT_TRUE(contains(labels, "\nspace directions: (1,0,0) (0,2,0) (0,0,4)\n"));
   EXPECT_TRUE(contains(labels, "\nspace origin: (10.5,21,32)\n")) << "cells' centres, half a voxel further";
+  expect_done(run + " --oversample 2 --labels fine.nrrd");
+  const std::string fine = read_file(work / "fine.nrrd");
+  EXPECT_TRUE(contains(fine, "\nsizes: 34 34 34\n"));
+  EXPECT_TRUE(contains(fine, "\nspace directions: (0.5,0,0) (0,1,0) (0,0,2)\n"));
+  EXPECT_TRUE(contains(fine, "\nspace origin: (10.25,20.5,31)\n"));
 }
 
 TEST_F(GoodRun, ReportOnStandardOutputIsAllThatIsPrintedThere)
@@ -159,6 +165,14 @@ TEST_F(GoodRun, VerboseTellsTheExpectedMemoryBeforeTheWorkStarts)
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_TRUE(contains(outcome.err, "volume      18 x 18 x 18 samples of 1 x 1 x 1 mm\n"));
   EXPECT_TRUE(contains(outcome.err, "MB expected without the mesh\nvolsurf: "));
+}
+
+TEST_F(GoodRun, VerboseTellsOfAFinerGrid)
+{
+  const Outcome outcome = run(ball() + " --delta 2 --oversample 2 -v --max-memory 1M");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(
+      contains(outcome.err, "volume      35 x 35 x 35 samples of 0.5 x 0.5 x 0.5 mm, twice as fine as the scan\n"));
 }
 
 TEST_F(GoodRun, TellsItsVersionAndItsOptionsOnStandardOutput)

@@ -96,6 +96,18 @@ TEST_F(SavedHierarchy, OfMediansTakesNoOthers)
   EXPECT_EQ(run("scan.volsurf --delta 2 --median 1").exit_code, 0);
 }
 
+TEST_F(SavedHierarchy, OfAFinerGridCutsAsTheScanDoes)
+{
+  expect_cuts_as(head(32), "--oversample 2", {"--delta 10"});
+}
+
+TEST_F(SavedHierarchy, OfAFinerGridTakesNoOther)
+{
+  save(ball() + " --delta 2 --oversample 2");
+  expect_refused("scan.volsurf --delta 2 --oversample 1", 2, {"made with --oversample 2 --sigma 0.75 --exterior none"});
+  EXPECT_EQ(run("scan.volsurf --delta 2 --oversample 2").exit_code, 0);
+}
+
 TEST_F(SavedHierarchy, OfAnEdgeMapTakesNoSigma)
 {
   save(head(32) + " --delta 10 --edge-map");

@@ -60,8 +60,8 @@ TEST_F(ReportSchema, AcceptsReportsOfEachKindOfRun)
         "h.volsurf",
         "--delta 15 --seed 35,0,30 --smooth 0", "--delta 15 --region 2 --region 3 --split regions --labels l.seg.nrrd",
         "--delta 5 --min-volume 2000 --split components -o a.vdb -o a.ply -o a.obj",
-        "--delta 5 --edge-map --threads 1 --smooth 1", "--delta 15 --median 2", "--method threshold --keep 1",
-        "--method isosurface --iso 40 --keep 1", "--method marching-cubes --smooth 1",
+        "--delta 5 --edge-map --threads 1 --smooth 1", "--delta 15 --median 2", "--delta 15 --oversample 2",
+        "--method threshold --keep 1", "--method isosurface --iso 40 --keep 1", "--method marching-cubes --smooth 1",
         "--method watershed --delta 15 --surface hull", "--method watershed --delta 15 --edge-map --split components",
         "", "--regions 5", "--delta 12.5% --keep 1"})
     reports.push_back(report(scan + " " + options));
@@ -200,6 +200,11 @@ TEST_F(ReportFile, TellsOptionsAsUsed)
   EXPECT_EQ(options["exterior"], "none");
   EXPECT_EQ(options["surface"], "all");
   EXPECT_EQ(options["iterations"], 30);
+  EXPECT_EQ(options["oversampling"], 1);
+  const json finer = report(ball() + " --delta 2 --oversample 2")["options"];
+  EXPECT_EQ(finer["oversampling"], 2);
+  EXPECT_EQ(finer["sigma_mm"], 0.75) << "three quarters of the scan's voxel";
+  EXPECT_EQ(finer["iterations"], 60);
   EXPECT_EQ(report(ball() + " --delta 2 --threads 1")["options"]["threads"], 1);
 }
 

@@ -52,6 +52,7 @@ TEST_F(SameBytes, WithoutAGaussian)
 TEST_F(SameBytes, OfMedians)
 {
   expect_for("--delta 15 --median 1");
+  expect_for("--delta 15 --oversample 2");
 }
 
 TEST_F(SameBytes, ForEachRegionInAFileOfItsOwn)

@@ -1,6 +1,7 @@
 #include "volsurf/field/noise_level.h"
 
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/oversample.h"
 #include "volsurf/phantom/noise.h"
 
 #include <gtest/gtest.h>
@@ -126,4 +127,25 @@ TEST(NoiseGain, IsOneForAnEdgeMap)
 {
   const Volume volume = pure_noise({8, 8, 8}, {0.5, 0.5, 0.5});
   EXPECT_EQ(EdgeField(volume, {std::nullopt, true}).noise_gain(), 1);
+}
+
+TEST(MeasureNoise, OfAFinerGridIsThatOfTheScan)
+{
+  const Volume scan = pure_noise({40, 50, 60}, {1, 2, 3});
+  Volume fine = scan;
+  oversample(fine, 2);
+  EXPECT_EQ(noise_of(fine), noise_of(scan));
+}
+
+TEST(NoiseGain, OnAFinerGridIsThatOfTheScansNoise)
+{
+  const Volume scan = pure_noise({48, 48, 48}, {1, 1, 1});
+  Volume fine = scan;
+  oversample(fine, 2);
+  for (const double sigma_mm : {0.75, 1.0, 2.0}) {
+    const EdgeField field(fine, {sigma_mm, false});
+    const double expected = std::sqrt(3.0) * kDeviation * field.noise_gain();
+    EXPECT_NEAR(rms_gradient(fine, field, 20), expected, 0.12 * expected) << sigma_mm;
+    EXPECT_NEAR(field.noise_gain(), EdgeField(scan, {sigma_mm, false}).noise_gain(), 0.05 * field.noise_gain());
+  }
 }

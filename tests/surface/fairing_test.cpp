@@ -125,6 +125,19 @@ TEST(FairPositions, NoiseOfUncertainPointsIsEvenedOutAndTheCurvatureStays)
   }
 }
 
+TEST(FairPositions, OnAFinerGridNoiseIsEvenedOutOverMorePoints)
+{
+  const Sheet sheet;
+  const auto smooth = sheet.at(dome);
+  const auto noisy = with_noise(smooth, 0.3);
+  const auto rms_at = [&](int oversampling) {
+    const auto found =
+        fair_positions(PointNeighbours(sheet.mesh), targets_at(noisy, 0.3 * oversampling), noisy, oversampling);
+    return rms_of_inner(found, smooth);
+  };
+  EXPECT_LT(rms_at(2), 0.8 * rms_at(1));
+}
+
 TEST(FairPositions, PointsThatKnowNothingGoWhereTheSurfaceBendsLeast)
 {
   const Sheet sheet;

@@ -80,6 +80,16 @@ double smallest_spacing_mm(const Grid &grid)
   return *std::min_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
 }
 
+double largest_spacing_mm(const Grid &grid)
+{
+  return *std::max_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
+}
+
+bool has_thick_slices(const Grid &grid)
+{
+  return largest_spacing_mm(grid) > 1.5 * smallest_spacing_mm(grid);
+}
+
 double mean_spacing_mm(const Grid &grid)
 {
   const double smallest = smallest_spacing_mm(grid);

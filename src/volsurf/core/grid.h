@@ -18,6 +18,7 @@ struct Grid {
   Vec3 spacing_mm{1, 1, 1};
   Vec3 origin_mm{0, 0, 0};
   Mat3 direction{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  int oversampling = 1; ///< along each axis every so many-th sample is the scan's, those between are made of them
 
   std::int64_t sample_count() const { return size[0] * size[1] * size[2]; }
   Index3 cell_size() const { return {size[0] - 1, size[1] - 1, size[2] - 1}; }
@@ -41,6 +42,10 @@ double voxel_volume_mm3(const Grid &grid);
 double face_area_mm2(const Grid &grid, int axis);
 
 double smallest_spacing_mm(const Grid &grid);
+double largest_spacing_mm(const Grid &grid);
+
+/// Whether slices are more than 1.5 times as far apart as pixels are.
+bool has_thick_slices(const Grid &grid);
 
 /// The geometric mean, the side of a cube as large as a voxel; where all are equal exactly that.
 double mean_spacing_mm(const Grid &grid);

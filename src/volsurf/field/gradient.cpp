@@ -61,10 +61,16 @@ Difference difference_at(std::int64_t i, std::int64_t size, double spacing_mm)
   return {low, high, static_cast<float>(1.0 / (static_cast<double>(high - low) * spacing_mm))};
 }
 
+/// On a finer grid three quarters of a voxel are enough for the merge, and thin folds need no more.
+double usual_sigma_mm(const Grid &grid)
+{
+  return (grid.oversampling == 1 ? 1.0 : 0.75 * grid.oversampling) * mean_spacing_mm(grid);
+}
+
 double checked_sigma_mm(const Grid &grid, const FieldOptions &options)
 {
   const double largest = kLargestSigmaVoxels * smallest_spacing_mm(grid);
-  const double sigma = options.sigma_mm.value_or(std::min(mean_spacing_mm(grid), largest));
+  const double sigma = options.sigma_mm.value_or(std::min(usual_sigma_mm(grid), largest));
   if (!(sigma >= 0 && sigma <= largest)) {
     std::ostringstream message;
     message << "--sigma: found " << sigma << "; allowed are 0 to " << largest << " mm (" << kLargestSigmaVoxels
@@ -146,7 +152,8 @@ double EdgeField::noise_gain() const
         gain /= std::sqrt(2.0) * volume_.grid.spacing_mm[axis];
     largest = std::max(largest, gain);
   }
-  return largest;
+  // As if each of the scan's samples were a cube of those between: its noise is that of all of them.
+  return sigma_mm_ > 0 ? largest * std::pow(volume_.grid.oversampling, 1.5) : largest;
 }
 
 std::int64_t EdgeField::non_finite_count() const

@@ -12,7 +12,8 @@
 namespace volsurf {
 
 struct FieldOptions {
-  std::optional<double> sigma_mm; ///< sd of the Gaussian; 0: central differences; not set: the mean spacing
+  std::optional<double> sigma_mm; ///< sd of the Gaussian; 0: central differences; not set: the mean spacing, on a finer
+                                  ///< grid 3/4 of the scan's
   bool edge_map = false;          ///< the volume is an edge strength already: I = -g
 };
 
@@ -55,7 +56,7 @@ public:
 
   double sigma_mm() const { return sigma_mm_; }
 
-  /// The standard deviation that white noise of deviation 1 in the volume has in a component of the gradient (the
+  /// The standard deviation that white noise of deviation 1 in the scan has in a component of the gradient (the
   /// largest over the axes, away from the border), per mm; 1 for an edge map.
   double noise_gain() const;
 

@@ -1,6 +1,7 @@
 #include "volsurf/field/noise_level.h"
 
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/oversample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ constexpr std::int64_t kMostSamples = std::int64_t{1} << 20;
 /// The median of |x| for normal x of standard deviation 1.
 constexpr double kNormalMedian = 0.6744897501960817;
 
-/// Weights 1, -2, 1 along an axis; along one that is too short for them a lone 1.
+/// Weights 1, -2, 1 along an axis of the scan; along one that is too short for them a lone 1.
 struct SecondDifference {
   explicit SecondDifference(std::int64_t samples) : wide(samples >= 3), positions(wide ? samples - 2 : samples) {}
 
@@ -29,7 +30,7 @@ struct SecondDifference {
 /// The rows of a volume that are looked at: every `step`-th of those where the differences along y and z fit.
 struct Rows {
   Rows(const Volume &v)
-      : volume(v), x(v.grid.size[0]), y(v.grid.size[1]), z(v.grid.size[2]),
+      : volume(v), scan(scan_grid(v.grid)), x(scan.size[0]), y(scan.size[1]), z(scan.size[2]),
         step(1 + y.positions * z.positions * x.positions / kMostSamples),
         count((y.positions * z.positions + step - 1) / step)
   {
@@ -40,21 +41,27 @@ struct Rows {
   {
     const std::int64_t first_y = row * step % y.positions;
     const std::int64_t first_z = row * step / y.positions;
-    const auto &[nx, ny, nz] = volume.grid.size;
     const double norm = x.norm() * y.norm() * z.norm();
     for (std::int64_t i = 0; i < x.positions; ++i) {
       double sum = 0;
       for (int c = 0; c < z.taps(); ++c)
         for (int b = 0; b < y.taps(); ++b)
           for (int a = 0; a < x.taps(); ++a)
-            sum += x.weight(a) * y.weight(b) * z.weight(c) *
-                   static_cast<double>(
-                       volume.samples[static_cast<std::size_t>(i + a + nx * (first_y + b + ny * (first_z + c)))]);
+            sum += x.weight(a) * y.weight(b) * z.weight(c) * sample(i + a, first_y + b, first_z + c);
       out[i] = static_cast<float>(std::abs(sum) / norm);
     }
   }
 
+  /// One of the scan's own: what lies between them has less noise.
+  double sample(std::int64_t i, std::int64_t j, std::int64_t k) const
+  {
+    const auto &[nx, ny, nz] = volume.grid.size;
+    const std::int64_t index = volume.grid.oversampling * (i + nx * (j + ny * k));
+    return static_cast<double>(volume.samples[static_cast<std::size_t>(index)]);
+  }
+
   const Volume &volume;
+  Grid scan;
   SecondDifference x;
   SecondDifference y;
   SecondDifference z;

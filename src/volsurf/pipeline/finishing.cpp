@@ -16,19 +16,13 @@ constexpr double kPlacementBlur = 0.8;
 /// But where slices are thick, with as much more as they need to tell an edge between them.
 constexpr double kMostPlacementBlur = 1.5;
 
-/// Slices are thick where they are so many times as far apart as pixels; then edges of triangles that are longer than
-/// this many pixels are halved.
-constexpr double kThickSlices = 1.5;
+/// Where slices are thick, edges of triangles that are longer than this many of the scan's pixels are halved.
 constexpr double kLongestEdge = 2;
-
-double largest_spacing_mm(const Grid &grid)
-{
-  return *std::max_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
-}
 
 double placement_sigma_mm(const Grid &grid, double sigma_mm)
 {
-  return std::min(kPlacementBlur * std::max(sigma_mm, largest_spacing_mm(grid)), kMostPlacementBlur * sigma_mm);
+  const double slice_mm = (has_thick_slices(grid) ? grid.oversampling : 1) * largest_spacing_mm(grid);
+  return std::min(kPlacementBlur * std::max(sigma_mm, slice_mm), kMostPlacementBlur * sigma_mm);
 }
 
 EdgeLocator make_locator(const Volume &volume, double sigma_mm)
@@ -36,7 +30,17 @@ EdgeLocator make_locator(const Volume &volume, double sigma_mm)
   const double placement_mm = placement_sigma_mm(volume.grid, sigma_mm);
   FieldOptions field;
   field.sigma_mm = placement_mm;
-  return {volume, placement_mm, measure_noise(volume, EdgeField(volume, field)).gradient};
+  // On a finer grid noise moves neighbouring points alike, so that each knows less.
+  const double noise = volume.grid.oversampling * measure_noise(volume, EdgeField(volume, field)).gradient;
+  return {volume, placement_mm, noise};
+}
+
+/// The scan's passes; so many times as many reach as far on a finer grid.
+SmoothingOptions smoothing_on(const Grid &grid, SmoothingOptions smoothing)
+{
+  if (!smoothing.iterations)
+    smoothing.iterations = grid.oversampling * usual_iterations(smoothing.strength);
+  return smoothing;
 }
 
 } // namespace
@@ -51,12 +55,11 @@ Finisher::Finisher(const Volume &volume, double sigma_mm, const Settings &settin
 Finishing Finisher::finish(Mesh &mesh) const
 {
   Finishing finishing;
-  finishing.smoothing = smooth_mesh(mesh, grid_, settings_.smoothing);
+  finishing.smoothing = smooth_mesh(mesh, grid_, smoothing_on(grid_, settings_.smoothing));
   if (!locator_)
     return finishing;
-  const double pixel_mm = smallest_spacing_mm(grid_);
-  if (largest_spacing_mm(grid_) > kThickSlices * pixel_mm)
-    halve_long_edges(mesh, kLongestEdge * pixel_mm);
+  if (has_thick_slices(grid_))
+    halve_long_edges(mesh, kLongestEdge * grid_.oversampling * smallest_spacing_mm(grid_));
   const auto find_edge = [this](const Vec3 &index, const Vec3 &direction, double limit_mm) {
     return locator_->find(index, direction, limit_mm);
   };

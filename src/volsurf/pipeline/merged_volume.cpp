@@ -3,6 +3,7 @@
 #include "volsurf/core/error.h"
 #include "volsurf/core/timer.h"
 #include "volsurf/field/median.h"
+#include "volsurf/field/oversample.h"
 #include "volsurf/pipeline/stored_merge.h"
 
 #include <sstream>
@@ -33,15 +34,19 @@ void require_options_of(const MergedVolume &merged, const Settings &settings)
   const double sigma_mm = EdgeField(merged.input.volume, merged.field).sigma_mm();
   const FieldOptions &wanted = settings.field;
   const bool same_sigma = !wanted.sigma_mm || (*wanted.sigma_mm == sigma_mm && !merged.field.edge_map);
+  const int oversampling = merged.input.volume.grid.oversampling;
   const bool same_input = (!wanted.edge_map || merged.field.edge_map) &&
                           (settings.series_uid.empty() || settings.series_uid == merged.series_uid) &&
-                          settings.median_voxels.value_or(merged.median_voxels) == merged.median_voxels;
+                          settings.median_voxels.value_or(merged.median_voxels) == merged.median_voxels &&
+                          settings.oversampling.value_or(oversampling) == oversampling;
   if (same_sigma && same_input && settings.exterior.value_or(merged.exterior) == merged.exterior)
     return;
   std::ostringstream message;
   message << settings.input.string() << ": found the hierarchy of " << source_name(merged) << ", made with ";
   if (merged.median_voxels > 0)
     message << "--median " << merged.median_voxels << ' ';
+  if (oversampling > 1)
+    message << "--oversample " << oversampling << ' ';
   if (merged.field.edge_map)
     message << "--edge-map";
   else
@@ -81,16 +86,20 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
       found(grid);
     require_memory(settings, grid);
   };
+  const auto check_scan = [&](const Grid &scan) {
+    check_grid(oversampled_grid(scan, settings.oversampling.value_or(1)));
+  };
   MergedVolume merged;
   if (is_stored_merge(settings.input)) {
     merged = read_merge(settings.input, check_grid);
     require_options_of(merged, settings);
     return merged;
   }
-  merged.input = read_volume(settings.input, {settings.series_uid, check_grid});
+  merged.input = read_volume(settings.input, {settings.series_uid, check_scan});
   merged.series_uid = settings.series_uid;
   merged.median_voxels = settings.median_voxels.value_or(0);
   filter_by_median(merged.input.volume, merged.median_voxels, progress);
+  oversample(merged.input.volume, settings.oversampling.value_or(1));
   merged.field = settings.field;
   merged.exterior = settings.exterior.value_or(MergeOptions{}.exterior);
   return merged;
@@ -106,6 +115,7 @@ Settings settings_of_merge(Settings settings, const MergedVolume &merged)
 {
   settings.series_uid = merged.series_uid;
   settings.median_voxels = merged.median_voxels;
+  settings.oversampling = merged.input.volume.grid.oversampling;
   if (!settings.field.sigma_mm)
     settings.field.sigma_mm = merged.field.sigma_mm;
   settings.field.edge_map = merged.field.edge_map;

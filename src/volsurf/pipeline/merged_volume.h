@@ -33,10 +33,10 @@ std::uint64_t expected_memory_bytes(const Grid &grid, Method method = Method::vo
 /// The name of the scan, without its folder.
 std::string source_name(const MergedVolume &merged);
 
-/// Reads settings.input, a scan or a file of --save-hierarchy, which is told by its first bytes, and takes the medians
-/// of a scan where settings ask for them. `found` gets its grid before the samples are read. Throws InputError, also
-/// where more memory would be needed than settings allow, and UsageError where settings ask for another median, field,
-/// exterior or series than the file holds.
+/// Reads settings.input, a scan or a file of --save-hierarchy, which is told by its first bytes, takes the medians of a
+/// scan and oversamples it where settings ask for that. `found` gets the grid to come before the samples are read.
+/// Throws InputError, also where more memory would be needed than settings allow, and UsageError where settings ask for
+/// another median, field, exterior or series than the file holds.
 MergedVolume read_input(const Settings &settings, const Progress &progress = {},
                         const std::function<void(const Grid &)> &found = {});
 

@@ -43,6 +43,7 @@ Json options_json(const Report &report)
                {"delta", by_iso_value ? Json(nullptr) : Json(report.decision.delta)},
                {"iso", by_iso_value ? Json(settings.iso.value_or(0)) : Json(nullptr)},
                {"median_voxels", settings.median_voxels.value_or(0)},
+               {"oversampling", report.grid.oversampling},
                {"sigma_mm", by_iso_value ? Json(nullptr) : Json(report.sigma_mm)},
                {"edge_map", settings.field.edge_map},
                {"exterior", is_volsurf ? Json(exterior) : Json(nullptr)},

@@ -26,6 +26,8 @@ void describe_method(const Settings &settings, double delta, std::ostream &out)
     out << delta_text(DeltaValue{delta});
   if (settings.median_voxels.value_or(0) > 0)
     out << " --median " << *settings.median_voxels;
+  if (settings.oversampling.value_or(1) > 1)
+    out << " --oversample " << *settings.oversampling;
   if (!by_iso_value && settings.field.edge_map)
     out << " --edge-map";
   else if (!by_iso_value && settings.field.sigma_mm)

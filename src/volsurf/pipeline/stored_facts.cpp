@@ -2,6 +2,7 @@
 
 #include "volsurf/core/error.h"
 #include "volsurf/field/median.h"
+#include "volsurf/field/oversample.h"
 
 #include <cmath>
 #include <limits>
@@ -52,8 +53,12 @@ Index3 size_of(const Json &size)
 
 Grid grid_of(const Json &json)
 {
-  const Grid grid{size_of(json.at("size")), json.at("spacing_mm").get<Vec3>(), json.at("origin_mm").get<Vec3>(),
-                  json.at("direction").get<Mat3>()};
+  Grid grid{size_of(json.at("size")), json.at("spacing_mm").get<Vec3>(), json.at("origin_mm").get<Vec3>(),
+            json.at("direction").get<Mat3>()};
+  if (json.contains("oversampling")) {
+    require(integer_at(json, "oversampling", 1) <= kLargestOversampling, "oversampling");
+    grid.oversampling = json["oversampling"].get<int>();
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     require(grid.spacing_mm[axis] > 0 && std::isfinite(grid.spacing_mm[axis]), "spacing_mm");
     require(std::isfinite(grid.origin_mm[axis]), "origin_mm");
@@ -67,7 +72,8 @@ Json json_of(const Grid &grid)
   return {{"size", grid.size},
           {"spacing_mm", grid.spacing_mm},
           {"origin_mm", grid.origin_mm},
-          {"direction", grid.direction}};
+          {"direction", grid.direction},
+          {"oversampling", grid.oversampling}};
 }
 
 Json source_json(const MergedVolume &merged)

@@ -7,7 +7,7 @@ namespace volsurf {
 
 namespace {
 
-constexpr int kShapeRounds = 5;         ///< over which the bends of the given surface are averaged
+constexpr int kShapeRounds = 5;         ///< over which the bends of a surface are averaged
 constexpr int kLooksAtCreases = 2;      ///< how often the problem is solved again
 constexpr double kCreaseBends = 3;      ///< a bend off by so many sd costs half of what it did
 constexpr int kMostIterations = 15;     ///< of one solution; more change the study's distances by less than 0.001 voxel
@@ -82,11 +82,12 @@ private:
   std::vector<double> share_; // of each neighbour in the mean; 0: not bound
 };
 
-std::vector<Vec3> average_bends(const Bends &bends, const std::vector<Vec3> &shape)
+/// Rounds carry as far as the square root of their number.
+std::vector<Vec3> average_bends(const Bends &bends, const std::vector<Vec3> &shape, int rounds)
 {
   std::vector<Vec3> expected(shape.size());
   for_each_point(shape.size(), [&](std::size_t i) { expected[i] = bends.at(i, shape); });
-  for (int round = 0; round < kShapeRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const std::vector<Vec3> before = expected;
     for_each_point(shape.size(), [&](std::size_t i) { expected[i] = plus(before[i], 0.5, bends.at(i, before)); });
   }
@@ -96,9 +97,11 @@ std::vector<Vec3> average_bends(const Bends &bends, const std::vector<Vec3> &sha
 /// The sum to be minimised.
 class SmoothingSpline {
 public:
-  SmoothingSpline(const PointNeighbours &neighbours, const std::vector<Target> &targets, const std::vector<Vec3> &shape)
-      : targets_(targets), bends_(neighbours, targets), expected_(average_bends(bends_, shape)),
-        stiffness_(targets.size()), weight_(targets.size()), parts_(targets.size())
+  SmoothingSpline(const PointNeighbours &neighbours, const std::vector<Target> &targets, const std::vector<Vec3> &shape,
+                  int reach)
+      : targets_(targets), bends_(neighbours, targets), reach_(reach),
+        expected_(average_bends(bends_, shape, kShapeRounds * reach)), stiffness_(targets.size()),
+        weight_(targets.size()), parts_(targets.size())
   {
     for_each_point(targets.size(), [&](std::size_t i) {
       weight_[i] = 1 / (targets[i].error * targets[i].error);
@@ -107,6 +110,7 @@ public:
   }
 
   std::size_t size() const { return targets_.size(); }
+  int most_iterations() const { return kMostIterations * reach_; }
 
   /// Half of the negative gradient of the sum.
   void residual(const std::vector<Vec3> &x, std::vector<Vec3> &result)
@@ -149,7 +153,7 @@ public:
   /// between points of a curved surface it is higher by a quarter of the bend.
   void centre_faces(std::vector<Vec3> &x) const
   {
-    const std::vector<Vec3> bends = average_bends(bends_, x);
+    const std::vector<Vec3> bends = average_bends(bends_, x, kShapeRounds * reach_);
     for_each_point(size(), [&](std::size_t i) {
       if (!targets_[i].on_feature)
         x[i] = plus(x[i], -0.25, within_free_axes(i, bends[i]));
@@ -168,6 +172,7 @@ private:
 
   const std::vector<Target> &targets_;
   Bends bends_;
+  int reach_; // rounds and iterations for one where the grid is the scan's own
   std::vector<Vec3> expected_;
   std::vector<double> stiffness_; // per bend
   std::vector<double> weight_;    // per target
@@ -191,7 +196,7 @@ void minimise(SmoothingSpline &spline, std::vector<Vec3> &x, double &first_resid
   if (first_residual == 0)
     first_residual = size;
   std::vector<Vec3> direction = conditioned;
-  for (int iteration = 0; iteration < kMostIterations && size > kLeastResidual * first_residual; ++iteration) {
+  for (int iteration = 0; iteration < spline.most_iterations() && size > kLeastResidual * first_residual; ++iteration) {
     spline.multiply(direction, product);
     const double step = size / inner_product(direction, product);
     for_each_point(points, [&](std::size_t i) {
@@ -207,9 +212,9 @@ void minimise(SmoothingSpline &spline, std::vector<Vec3> &x, double &first_resid
 } // namespace
 
 std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::vector<Target> &targets,
-                                 const std::vector<Vec3> &shape)
+                                 const std::vector<Vec3> &shape, int oversampling)
 {
-  SmoothingSpline spline(neighbours, targets, shape);
+  SmoothingSpline spline(neighbours, targets, shape, oversampling * oversampling);
   std::vector<Vec3> x = shape;
   double first_residual = 0;
   minimise(spline, x, first_residual);

@@ -87,6 +87,11 @@ void require_finite(const Mesh &mesh)
 
 } // namespace
 
+int usual_iterations(double strength)
+{
+  return static_cast<int>(std::lround(20 + 20 * strength));
+}
+
 void check_smoothing(const SmoothingOptions &options)
 {
   if (!(options.strength >= 0 && options.strength <= 1))
@@ -103,7 +108,7 @@ SmoothingResult smooth_mesh(Mesh &mesh, const Grid &grid, const SmoothingOptions
   if (options.strength == 0 || mesh.points.empty())
     return {};
   SmoothingResult result;
-  result.iterations = options.iterations.value_or(static_cast<int>(std::lround(20 + 20 * options.strength)));
+  result.iterations = options.iterations.value_or(usual_iterations(options.strength));
   result.pass_band = options.pass_band.value_or(std::pow(10.0, -1 - 0.7 * options.strength));
 
   const double volume_before = signed_volume_mm3(mesh);

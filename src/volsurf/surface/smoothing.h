@@ -32,6 +32,9 @@ struct SmoothingResult {
 /// Drift of volume above which a result deserves a warning.
 constexpr double kLargestVolumeDrift = 0.05;
 
+/// Of a surface of that strength where nothing else is asked for.
+int usual_iterations(double strength);
+
 /// Throws UsageError for options out of range.
 void check_smoothing(const SmoothingOptions &options);
 

@@ -24,8 +24,8 @@ constexpr double kUsualDeviationVoxels = 0.1;
 /// folds of brains become ragged.
 constexpr double kErrorOfDeviation = 0.6;
 
-/// How far off a point may be, in voxels of the smallest spacing, where it did not find its edge and stands where
-/// smoothing has put it.
+/// How far off a point may be, in voxels of the scan's smallest spacing, where it did not find its edge and stands
+/// where smoothing has put it.
 constexpr double kErrorWithoutEdge = 0.5;
 
 /// A triangle counts as turned over where its normal turns further than this.
@@ -130,11 +130,11 @@ std::optional<Vec3> wall_normal(PointId point, const Mesh &mesh, const PointStar
   return Vec3{normal[0] / size, normal[1] / size, normal[2] / size};
 }
 
-/// A voxel's size along a direction.
+/// The size of the scan's voxels along a direction.
 double voxel_mm(const Grid &grid, const Vec3 &direction)
 {
-  return std::hypot(direction[0] * grid.spacing_mm[0], direction[1] * grid.spacing_mm[1],
-                    direction[2] * grid.spacing_mm[2]);
+  return grid.oversampling * std::hypot(direction[0] * grid.spacing_mm[0], direction[1] * grid.spacing_mm[1],
+                                        direction[2] * grid.spacing_mm[2]);
 }
 
 /// A point's way to its edge.
@@ -232,11 +232,13 @@ bool is_on_rim(PointId point, const Mesh &mesh, const PointStars &stars)
   return on_cap && on_wall;
 }
 
-/// What each point says of its place, in voxels.
-std::vector<Target> make_targets(const Mesh &mesh, const PointStars &stars, const std::vector<Vec3> &positions,
-                                 const std::vector<FreeAxes> &free_axes, const std::vector<char> &on_junction,
-                                 const std::vector<Way> &ways, double voxel_mm, double least_error)
+/// What each point says of its place, in voxels of the grid.
+std::vector<Target> make_targets(const Mesh &mesh, const Grid &grid, const PointStars &stars,
+                                 const std::vector<Vec3> &positions, const std::vector<FreeAxes> &free_axes,
+                                 const std::vector<char> &on_junction, const std::vector<Way> &ways, double least_error)
 {
+  const double voxel_mm = smallest_spacing_mm(grid);
+  const double error_without_edge = grid.oversampling * kErrorWithoutEdge;
   std::vector<Target> targets(positions.size());
   for_each_point(mesh, [&](PointId point) {
     const Way &way = ways[point];
@@ -244,7 +246,7 @@ std::vector<Target> make_targets(const Mesh &mesh, const PointStars &stars, cons
     target.position =
         scaled(1 / voxel_mm, way.known ? plus(positions[point], way.length_mm, way.direction) : positions[point]);
     target.error =
-        way.known ? std::hypot(least_error, error_around(point, ways, mesh, stars) / voxel_mm) : kErrorWithoutEdge;
+        way.known ? std::hypot(least_error, error_around(point, ways, mesh, stars) / voxel_mm) : error_without_edge;
     target.free_axes = free_axes[point];
     target.on_feature = on_junction[point] != 0 || is_on_rim(point, mesh, stars);
   });
@@ -268,7 +270,7 @@ std::vector<Vec3> fair_moves(const Mesh &mesh, const Grid &grid, const std::vect
   const double voxel = smallest_spacing_mm(grid);
   std::vector<Vec3> shape(positions.size());
   for_each_point(mesh, [&](PointId point) { shape[point] = scaled(1 / voxel, positions[point]); });
-  std::vector<Vec3> moves = fair_positions(PointNeighbours(mesh), targets, shape);
+  std::vector<Vec3> moves = fair_positions(PointNeighbours(mesh), targets, shape, grid.oversampling);
   for_each_point(mesh, [&](PointId point) {
     moves[point] = within_limit(scaled(voxel, minus(moves[point], shape[point])), grid);
   });
@@ -332,8 +334,7 @@ SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, do
   const std::vector<char> on_junction = find_junctions(mesh, stars);
   std::vector<Way> ways = find_ways(mesh, grid, stars, positions, free_axes, on_junction, find_edge);
   judge_ways(mesh, stars, ways);
-  const auto targets =
-      make_targets(mesh, stars, positions, free_axes, on_junction, ways, smallest_spacing_mm(grid), least_error);
+  const auto targets = make_targets(mesh, grid, stars, positions, free_axes, on_junction, ways, least_error);
   std::vector<Vec3> moves = fair_moves(mesh, grid, positions, targets);
 
   SnapResult result;

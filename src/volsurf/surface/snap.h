@@ -21,7 +21,7 @@ namespace volsurf {
 /// none within a limit in mm. Called from several threads.
 using FindEdge = std::function<std::optional<LocatedEdge>(const Vec3 &index, const Vec3 &direction, double limit_mm)>;
 
-/// The furthest way of a point to its edge, in voxels along it: so far a smoothed staircase is off at most.
+/// The furthest way of a point to its edge, in voxels of the scan along it: so far a smoothed staircase is off at most.
 constexpr double kSnapLimitVoxels = 1.5;
 
 struct SnapResult {

@@ -71,6 +71,10 @@ std::string command_start(const Settings &settings)
   out << "volsurf " << quoted_for_shell(settings.input.string());
   if (!settings.series_uid.empty())
     out << " --series " << quoted_for_shell(settings.series_uid);
+  if (settings.median_voxels.value_or(0) > 0)
+    out << " --median " << *settings.median_voxels;
+  if (settings.oversampling.value_or(1) > 1)
+    out << " --oversample " << *settings.oversampling;
   if (settings.field.edge_map)
     out << " --edge-map";
   else if (settings.field.sigma_mm)
