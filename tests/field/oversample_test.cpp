@@ -1,6 +1,7 @@
 #include "volsurf/field/oversample.h"
 
 #include "support/fields.h"
+#include "support/volume_of_field.h"
 
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
@@ -15,14 +16,6 @@ using namespace volsurf;
 using namespace volsurf::support;
 
 namespace {
-
-Volume volume_of(const Field &field)
-{
-  Volume volume;
-  volume.grid.size = field.size;
-  volume.samples = field.values;
-  return volume;
-}
 
 Volume oversampled(Volume volume, int factor = 2)
 {

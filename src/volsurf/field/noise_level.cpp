@@ -29,8 +29,10 @@ struct SecondDifference {
 
 /// The rows of a volume that are looked at: every `step`-th of those where the differences along y and z fit.
 struct Rows {
-  Rows(const Volume &v)
-      : volume(v), scan(scan_grid(v.grid)), x(scan.size[0]), y(scan.size[1]), z(scan.size[2]),
+  Rows(const Volume &v) : Rows(v, scan_grid(v.grid).size) {}
+
+  Rows(const Volume &v, const Index3 &scan_size)
+      : volume(v), x(scan_size[0]), y(scan_size[1]), z(scan_size[2]),
         step(1 + y.positions * z.positions * x.positions / kMostSamples),
         count((y.positions * z.positions + step - 1) / step)
   {
@@ -61,7 +63,6 @@ struct Rows {
   }
 
   const Volume &volume;
-  Grid scan;
   SecondDifference x;
   SecondDifference y;
   SecondDifference z;

@@ -195,8 +195,7 @@ int refinement_for(BodyKind body, const Grid &grid)
   if (body != BodyKind::kCortex)
     return 3;
   constexpr double kStepMm = 0.8; // the bottom of a sulcus has a radius of 1.2 mm
-  const double largest = *std::max_element(grid.spacing_mm.begin(), grid.spacing_mm.end());
-  return std::max(2, static_cast<int>(std::ceil(largest / kStepMm)));
+  return std::max(2, static_cast<int>(std::ceil(largest_spacing_mm(grid) / kStepMm)));
 }
 
 Volume sample_distance(const SignedDistance &distance, const Grid &grid, int finer, const Progress &progress)
