@@ -21,7 +21,7 @@ import time
 from pathlib import Path
 
 import study_page
-from study_measure import Table, available_methods, methods_of, run_all, tasks_of
+from study_measure import StudyWork, Table, available_methods, methods_of, run_all, tasks_of
 from study_pictures import draw_figures
 from study_results import best_of_each, read_results
 from study_scans import Programs, Scans, settings_of
@@ -58,19 +58,24 @@ def in_order(results, settings, methods):
 
 
 def open_tasks(settings, methods, known):
-    """What is still to be done, and the results of the rest. A scan counts as done where each of its methods has a
-    result."""
+    """What is still to be done, and the results of the rest. A scan whose methods all have a result is done; of others
+    the methods that have none are run, and what these start from is taken from the results that there are. Where
+    noise's effect is measured, a method is run on all scans of its case or on none."""
     measured = {}
     for result in known:
         measured.setdefault(result.scan, set()).add(result.method)
 
-    def is_done(setting):
-        return {method["name"] for method in methods_of(setting.case, methods)} <= measured.get(setting.key, set())
+    def missing_in(settings):
+        return {method["name"] for setting in settings for method in methods_of(setting.case, methods)
+                if method["name"] not in measured.get(setting.key, set())}
 
-    tasks = [task for task in tasks_of(settings) if not all(map(is_done, task))]
-    again = {setting.key for task in tasks for setting in task if setting.case.get("stability") or not is_done(setting)}
-    tasks = [[setting for setting in task if setting.key in again] for task in tasks]
-    return tasks, [result for result in known if result.scan not in again]
+    tasks = []
+    again = set()
+    for task in tasks_of(settings):
+        names = missing_in(task)
+        tasks.append([(setting, names) for setting in task if missing_in([setting]) or names and "stability" in setting.case])
+        again |= {(setting.key, name) for setting, names in tasks[-1] for name in names}
+    return list(filter(None, tasks)), [result for result in known if (result.scan, result.method) not in again]
 
 
 def measure_all(programs, scans, configuration, arguments):
@@ -81,11 +86,12 @@ def measure_all(programs, scans, configuration, arguments):
     tasks, kept = open_tasks(settings, methods, known)
     if arguments.page_only:
         return in_order(known, settings, methods)
-    to_do = {setting.case["name"] for task in tasks for setting in task}
+    to_do = {setting.case["name"] for task in tasks for setting, _ in task}
     scans.make_truths([case for case in configuration["cases"] if case["name"] in to_do])
     rows = Table(table, kept)
     try:
-        kept += run_all(programs, scans, tasks, methods, configuration["samples"], rows, 60 * arguments.minutes)
+        work = StudyWork(tasks, methods, kept, configuration["samples"])
+        kept = kept + run_all(programs, scans, work, rows, 60 * arguments.minutes)
     finally:
         rows.close()
     return in_order(kept, settings, methods)

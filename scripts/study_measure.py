@@ -10,7 +10,7 @@ import tempfile
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 
 from study_results import Result
@@ -40,6 +40,11 @@ def methods_of(case, methods):
         return [method for method in methods if method["name"] in case["methods"]]
     also = case.get("also", [])
     return [method for method in methods if not method.get("only_where_named") or method["name"] in also]
+
+
+def is_default(method):
+    """volsurf without an option."""
+    return not method["options"] and not method.get("by_hand") and not method.get("search")
 
 
 def voxel_mm(nrrd):
@@ -79,19 +84,31 @@ class ScanRun:
         self.blurred = None
         self.nearest = {}  # mm, by method
 
-    def run(self, methods):
+    def run(self, methods, names, known):
+        """The results of the methods of these names. What they start from, others have found by now or in `known`, the
+        results of the scan from before. volsurf itself is run for that, too."""
         results = []
         for method in methods:
-            results += self.run_method(method)
+            before = [result for result in known if result.method == method["name"]]
+            if method["name"] in names:
+                results += self.run_method(method)
+            elif is_default(method):
+                self.measure(method, [])
+            elif before:
+                self.remember(method, before)
         return results
 
     def run_method(self, method):
         """With each parameter that its search tries."""
         results = [self.measure(method, parameter) for parameter in self.parameters(method)]
+        self.remember(method, results)
+        return results
+
+    def remember(self, method, results):
+        """The value that was best for a method that is searched."""
         best = min(results, key=lambda result: result.assd_mm)
         if best.parameter and not math.isinf(best.assd_mm):
             self.found[method["name"]] = float(best.parameter.split()[-1])
-        return results
 
     def parameters(self, method):
         """What is added to a method's options, in turn: values around one that was found before, or multiples of it."""
@@ -121,7 +138,7 @@ class ScanRun:
                 return result
             if "--level" in method["options"]:
                 result.parameter = f"level {process.stdout.strip()}"
-            if not parameter and not method["options"] and not method.get("by_hand"):
+            if not parameter and is_default(method):
                 self.take_report(surface.with_suffix(".json"))
                 result.parameter = f"delta {self.found['delta']:g}"
             self.compare(surface, result)
@@ -219,26 +236,37 @@ class Table:
         self.file.close()
 
 
-def run_task(programs, scans, task, methods, samples):
+@dataclass
+class StudyWork:
+    """What is to be done."""
+
+    tasks: list  # of lists of (setting, names of the methods that are run on it)
+    methods: list
+    known: list  # results from before
+    samples: int  # of each surface
+
+
+def run_task(programs, scans, task, work):
     """The results of each scan of a task, in turn."""
     with tempfile.TemporaryDirectory(dir=scans.folder) as clean:
-        for setting in task:
+        for setting, names in task:
             with tempfile.TemporaryDirectory(dir=scans.folder) as folder:
                 keep = Path(clean) if setting.case.get("stability") else None
-                run = ScanRun(programs, scans, setting, samples, Path(folder), keep)
-                yield setting, run.run(methods_of(setting.case, methods))
+                run = ScanRun(programs, scans, setting, work.samples, Path(folder), keep)
+                known = [result for result in work.known if result.scan == setting.key]
+                yield setting, run.run(methods_of(setting.case, work.methods), names, known)
 
 
-def run_all(programs, scans, tasks, methods, samples, table, most_seconds):
+def run_all(programs, scans, work, table, most_seconds):
     """Two tasks at a time. Each scan's results are written when it is done. None is begun after `most_seconds`."""
-    whole, done, lock = sum(map(len, tasks)), [0], threading.Lock()
+    whole, done, lock = sum(map(len, work.tasks)), [0], threading.Lock()
     started = time.perf_counter()
 
     def run_one(task):
         found = []
         if time.perf_counter() - started > most_seconds:
             return found
-        for setting, results in run_task(programs, scans, task, methods, samples):
+        for setting, results in run_task(programs, scans, task, work):
             found += results
             with lock:
                 table.add(results)
@@ -251,4 +279,4 @@ def run_all(programs, scans, tasks, methods, samples, table, most_seconds):
         return found
 
     with ThreadPoolExecutor(WORKERS) as pool:
-        return [result for results in pool.map(run_one, tasks) for result in results]
+        return [result for results in pool.map(run_one, work.tasks) for result in results]

@@ -95,6 +95,13 @@ def check_resume(build, folder):
     table.write_text("".join(without_none), encoding="utf-8")
     rows = run_small_study(build, folder, "--resume") or []
     law("a missing scan is measured", any(row["noise"] == "none" for row in rows))
+    without_wide = [line for line in lines if "sigma x 1.5" not in line]
+    table.write_text("".join(without_wide), encoding="utf-8")
+    rows = run_small_study(build, folder, "--resume") or []
+    again = table.read_text(encoding="utf-8").splitlines(keepends=True)
+    law("what is known of a scan is kept, to the time it took", set(without_wide) <= set(again))
+    law("a missing method is measured from where it started before",
+        [row["parameter"] for row in rows if row["method"] == "volsurf, sigma x 1.5"] == 2 * ["--sigma 1.5"])
 
 
 def check_small_study(build, folder):
