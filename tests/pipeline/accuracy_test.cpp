@@ -2,7 +2,7 @@
 #include "volsurf/pipeline/decide_delta.h"
 #include "volsurf/pipeline/finishing.h"
 
-#include "support/fields.h"
+#include "support/partial_volumes.h"
 
 #include "volsurf/phantom/noise.h"
 #include "volsurf/surface/check.h"
@@ -22,29 +22,6 @@ const Vec3 kCentre{27.3, 28.1, 27.6};
 double distance_to_sphere(const Vec3 &p)
 {
   return std::hypot(p[0] - kCentre[0], p[1] - kCentre[1], p[2] - kCentre[2]) - kRadius;
-}
-
-/// A ball of 200 in an emptiness of 100, each sample the mean over its voxel.
-Volume ball()
-{
-  constexpr int kParts = 5;
-  Volume volume;
-  volume.grid.size = {56, 57, 58};
-  for_each_sample(volume.grid.size, [&](const Index3 &p, SampleId) {
-    const Vec3 centre{static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-    int inside = distance_to_sphere(centre) < 0 ? kParts * kParts * kParts : 0;
-    if (std::abs(distance_to_sphere(centre)) < 1) {
-      inside = 0;
-      for_each_sample({kParts, kParts, kParts}, [&](const Index3 &part, SampleId) {
-        Vec3 place = centre;
-        for (int axis = 0; axis < 3; ++axis)
-          place[axis] += (static_cast<double>(part[axis]) + 0.5) / kParts - 0.5;
-        inside += distance_to_sphere(place) < 0;
-      });
-    }
-    volume.samples.push_back(100 + 100 * static_cast<float>(inside) / static_cast<float>(kParts * kParts * kParts));
-  });
-  return volume;
 }
 
 /// As `volsurf --surface hull --keep 1`.
@@ -89,7 +66,7 @@ class Sphere : public testing::TestWithParam<Bar> {};
 
 TEST_P(Sphere, IsFoundWithinTheBarAndHasItsVolume)
 {
-  const Volume clean = ball();
+  const Volume clean = scan_of_body({56, 57, 58}, distance_to_sphere);
   const double true_volume = 4.0 / 3.0 * kPi * kRadius * kRadius * kRadius;
   for (const std::uint64_t seed : {1, 2, 3}) {
     Volume volume = clean;

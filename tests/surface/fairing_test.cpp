@@ -227,3 +227,24 @@ TEST(FairPositions, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(fair_positions(neighbours, targets, shape), expected);
   }
 }
+
+TEST(FairPositions, AsksForTargetsAtThePlacesFoundWithTheLastOnes)
+{
+  const Sheet sheet;
+  const std::vector<Vec3> shape = sheet.at([](double, double) { return 0.0; });
+  std::vector<double> heights;
+  const auto one_further = [&](const std::vector<Vec3> &places) {
+    const std::size_t middle = kSide / 2 * kSide + kSide / 2;
+    heights.push_back(places[middle][2]);
+    std::vector<Target> targets = targets_at(places, 0.01);
+    for (Target &target : targets)
+      target.position[2] += 1;
+    return targets;
+  };
+  const std::vector<Vec3> places = fair_positions(PointNeighbours(sheet.mesh), one_further, 3, shape);
+  ASSERT_EQ(heights.size(), 3U);
+  for (std::size_t round = 0; round < 3; ++round)
+    EXPECT_NEAR(heights[round], static_cast<double>(round), 0.05);
+  for (const Vec3 &place : places)
+    EXPECT_NEAR(place[2], 3, 0.05);
+}

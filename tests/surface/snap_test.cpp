@@ -66,7 +66,7 @@ TEST(SnapMesh, BringsPointsToTheEdge)
 {
   const LabelledCells labels = ball_of_cells(false);
   Mesh mesh = mesh_of(labels, grid_of(labels.cells.size), hull_sides(labels), true);
-  const SnapResult result = snap_mesh(mesh, grid_of(labels.cells.size), edge_of_sphere);
+  const PlacementResult result = snap_mesh(mesh, grid_of(labels.cells.size), edge_of_sphere);
   EXPECT_GT(result.moved, static_cast<std::int64_t>(mesh.points.size() * 9 / 10));
   EXPECT_EQ(result.moved + result.followed, static_cast<std::int64_t>(mesh.points.size()));
   double squared = 0;
@@ -101,7 +101,7 @@ RC_GTEST_PROP(SnapMesh, NoTriangleTurnsOverAndNoPointGoesBeyondItsLimit, ())
   grid.spacing_mm = {0.5, 1, 1.5};
   const Mesh before = mesh_of(labels, grid, all_sides(labels), false);
   Mesh after = before;
-  const SnapResult result = snap_mesh(after, grid, wild_edge);
+  const PlacementResult result = snap_mesh(after, grid, wild_edge);
   for (std::size_t t = 0; t < before.triangles.size(); ++t)
     RC_ASSERT(!turned_over(before, after, t));
   for (std::size_t i = 0; i < before.points.size(); ++i)
@@ -118,7 +118,7 @@ TEST(SnapMesh, PointsWithoutAnEdgeGoWithTheirNeighbours)
   const auto in_stripes = [](const Vec3 &p, const Vec3 &direction, double limit) {
     return std::fmod(p[2], 4) > 1 ? edge_of_sphere(p, direction, limit) : std::nullopt;
   };
-  const SnapResult result = snap_mesh(mesh, grid, in_stripes);
+  const PlacementResult result = snap_mesh(mesh, grid, in_stripes);
   EXPECT_GT(result.followed, 100);
   EXPECT_EQ(result.moved + result.followed, static_cast<std::int64_t>(mesh.points.size()));
   double squared = 0;

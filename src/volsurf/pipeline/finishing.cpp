@@ -1,6 +1,8 @@
 #include "volsurf/pipeline/finishing.h"
 
 #include "volsurf/field/noise_level.h"
+#include "volsurf/field/oversample.h"
+#include "volsurf/surface/fit.h"
 #include "volsurf/surface/refine.h"
 
 #include <algorithm>
@@ -46,25 +48,36 @@ SmoothingOptions smoothing_on(const Grid &grid, SmoothingOptions smoothing)
 } // namespace
 
 Finisher::Finisher(const Volume &volume, double sigma_mm, const Settings &settings)
-    : grid_(volume.grid), settings_(settings)
+    : grid_(volume.grid), settings_(settings), sigma_mm_(sigma_mm)
 {
-  if (settings.snap && settings.smoothing.strength > 0 && !settings.field.edge_map)
-    locator_ = make_locator(volume, sigma_mm);
+  if (!settings.snap || !(settings.smoothing.strength > 0) || settings.field.edge_map)
+    return;
+  volume_ = &volume;
+  noise_ = measure_noise(volume, EdgeField(volume, settings.field)).volume;
 }
 
-Finishing Finisher::finish(Mesh &mesh) const
+PlacementResult Finisher::place(Mesh &mesh)
 {
-  Finishing finishing;
-  finishing.smoothing = smooth_mesh(mesh, grid_, smoothing_on(grid_, settings_.smoothing));
+  const double strength = settings_.smoothing.strength / SmoothingOptions{}.strength;
+  if (encloses_one_thing(mesh))
+    return fit_mesh(mesh, *volume_, scan_grid(grid_), noise_, kLeastFitError * strength);
   if (!locator_)
-    return finishing;
-  if (has_thick_slices(grid_))
-    halve_long_edges(mesh, kLongestEdge * grid_.oversampling * smallest_spacing_mm(grid_));
+    locator_ = make_locator(*volume_, sigma_mm_);
   const auto find_edge = [this](const Vec3 &index, const Vec3 &direction, double limit_mm) {
     return locator_->find(index, direction, limit_mm);
   };
-  const double strength = settings_.smoothing.strength / SmoothingOptions{}.strength;
-  finishing.snap = snap_mesh(mesh, grid_, find_edge, kLeastError * strength);
+  return snap_mesh(mesh, grid_, find_edge, kLeastError * strength);
+}
+
+Finishing Finisher::finish(Mesh &mesh)
+{
+  Finishing finishing;
+  finishing.smoothing = smooth_mesh(mesh, grid_, smoothing_on(grid_, settings_.smoothing));
+  if (volume_ == nullptr)
+    return finishing;
+  if (has_thick_slices(grid_))
+    halve_long_edges(mesh, kLongestEdge * grid_.oversampling * smallest_spacing_mm(grid_));
+  finishing.snap = place(mesh);
   return finishing;
 }
 

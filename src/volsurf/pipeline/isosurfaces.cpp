@@ -59,7 +59,7 @@ void make_isosurface(const Volume &volume, const Settings &settings, const Surfa
   mesh = keep_components(mesh, components);
   sink.timer.lap("components");
 
-  const SurfaceWriter writer(Finisher(volume.grid, settings), settings, sink);
+  SurfaceWriter writer(Finisher(volume.grid, settings), settings, sink);
   writer.expect_components();
   writer.write(std::move(mesh));
   summarise_surfaces(sink.report);

@@ -54,7 +54,7 @@ struct Report {
   std::vector<double> component_sizes; ///< of those kept, at most 20, by what they were ranked by
 
   SmoothingResult smoothing;
-  std::optional<SnapResult> snap; ///< of all surfaces together
+  std::optional<PlacementResult> snap; ///< of all surfaces together
   std::vector<SurfaceSummary> surfaces;
   MeshCheck mesh; ///< of all surfaces together
   std::vector<std::string> warnings;

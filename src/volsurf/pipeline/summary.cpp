@@ -74,9 +74,9 @@ void add_finishing(const Finishing &finishing, Report &report)
   report.smoothing = finishing.smoothing;
   if (!finishing.snap)
     return;
-  const SnapResult &one = *finishing.snap;
-  SnapResult all = report.snap.value_or(SnapResult{});
-  const auto sum_of_squares = [](const SnapResult &result) {
+  const PlacementResult &one = *finishing.snap;
+  PlacementResult all = report.snap.value_or(PlacementResult{});
+  const auto sum_of_squares = [](const PlacementResult &result) {
     return static_cast<double>(result.points) * result.root_mean_square_mm * result.root_mean_square_mm;
   };
   const double squares = sum_of_squares(all) + sum_of_squares(one);

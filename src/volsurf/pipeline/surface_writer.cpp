@@ -22,7 +22,7 @@ void SurfaceWriter::expect_components() const
   sink_.outputs.expect_parts(numbers);
 }
 
-void SurfaceWriter::write(Mesh mesh) const
+void SurfaceWriter::write(Mesh mesh)
 {
   if (settings_.split == Split::components)
     return write_components(std::move(mesh));
@@ -31,14 +31,14 @@ void SurfaceWriter::write(Mesh mesh) const
   write_part(0, 0, mesh, volume_before_mm3);
 }
 
-void SurfaceWriter::write_region(std::size_t part, RegionId number, Mesh mesh) const
+void SurfaceWriter::write_region(std::size_t part, RegionId number, Mesh mesh)
 {
   const double volume_before_mm3 = signed_volume_mm3(mesh);
   smooth(mesh);
   write_part(part, number, mesh, volume_before_mm3);
 }
 
-void SurfaceWriter::write_components(Mesh mesh) const
+void SurfaceWriter::write_components(Mesh mesh)
 {
   const auto count = static_cast<std::size_t>(sink_.report.components_kept);
   const std::vector<double> volumes_before_mm3 = volumes_by_component_mm3(mesh, count);
@@ -49,7 +49,7 @@ void SurfaceWriter::write_components(Mesh mesh) const
                volumes_before_mm3[part]);
 }
 
-void SurfaceWriter::smooth(Mesh &mesh) const
+void SurfaceWriter::smooth(Mesh &mesh)
 {
   report_progress(sink_.progress, "smooth", 0);
   add_finishing(finisher_.finish(mesh), sink_.report);

@@ -28,15 +28,15 @@ public:
   void expect_components() const;
 
   /// The whole mesh, in one file or, with --split components, in one for each. Throws OutputError.
-  void write(Mesh mesh) const;
+  void write(Mesh mesh);
 
   /// The surface of one region, the `part`-th of those expected.
-  void write_region(std::size_t part, RegionId number, Mesh mesh) const;
+  void write_region(std::size_t part, RegionId number, Mesh mesh);
 
 private:
-  void smooth(Mesh &mesh) const;
+  void smooth(Mesh &mesh);
   void write_part(std::size_t part, std::uint32_t number, const Mesh &mesh, double volume_before_mm3) const;
-  void write_components(Mesh mesh) const;
+  void write_components(Mesh mesh);
 
   Finisher finisher_;
   const Settings &settings_;

@@ -60,7 +60,7 @@ private:
 };
 
 /// All faces in one mesh.
-void make_whole(const SurfaceMaker &maker, const SurfaceWriter &writer, const Separation &whole)
+void make_whole(const SurfaceMaker &maker, SurfaceWriter &writer, const Separation &whole)
 {
   const KeptFaces faces = maker.find_kept_faces(whole);
   writer.expect_components();
@@ -74,8 +74,8 @@ void set_sides(RegionId region, const Regions &regions, Sides &sides)
                  [region](RegionId other) { return other == region ? region : kNoRegion; });
 }
 
-void make_regions(const SurfaceMaker &maker, const SurfaceWriter &writer, const CutVolume &volume,
-                  const Selection &selection, const SurfaceSink &sink)
+void make_regions(const SurfaceMaker &maker, SurfaceWriter &writer, const CutVolume &volume, const Selection &selection,
+                  const SurfaceSink &sink)
 {
   const std::vector<RegionId> &numbers = selection.regions;
   if (std::binary_search(numbers.begin(), numbers.end(), volume.background))
@@ -108,7 +108,7 @@ void make_surfaces(const CutVolume &volume, const Settings &settings, const Sele
                    const SurfaceSink &sink)
 {
   const SurfaceMaker maker(volume, settings, sink);
-  const SurfaceWriter writer(finisher_of(volume, settings), settings, sink);
+  SurfaceWriter writer(finisher_of(volume, settings), settings, sink);
   if (settings.split == Split::regions)
     make_regions(maker, writer, volume, selection, sink);
   else

@@ -103,10 +103,14 @@ public:
         expected_(average_bends(bends_, shape, kShapeRounds * reach)), stiffness_(targets.size()),
         weight_(targets.size()), parts_(targets.size())
   {
-    for_each_point(targets.size(), [&](std::size_t i) {
-      weight_[i] = 1 / (targets[i].error * targets[i].error);
-      stiffness_[i] = bends_.is_bound(i) ? kStiffness : 0;
-    });
+    for_each_point(size(), [&](std::size_t i) { stiffness_[i] = bends_.is_bound(i) ? kStiffness : 0; });
+    set_targets(targets);
+  }
+
+  void set_targets(const std::vector<Target> &targets)
+  {
+    targets_ = targets;
+    for_each_point(size(), [&](std::size_t i) { weight_[i] = 1 / (targets[i].error * targets[i].error); });
   }
 
   std::size_t size() const { return targets_.size(); }
@@ -170,7 +174,7 @@ private:
     return v;
   }
 
-  const std::vector<Target> &targets_;
+  std::vector<Target> targets_;
   Bends bends_;
   int reach_; // rounds and iterations for one where the grid is the scan's own
   std::vector<Vec3> expected_;
@@ -223,6 +227,22 @@ std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::v
     minimise(spline, x, first_residual);
   }
   spline.centre_faces(x);
+  return x;
+}
+
+std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const FindTargets &find_targets, int rounds,
+                                 const std::vector<Vec3> &shape, int oversampling)
+{
+  std::vector<Vec3> x = shape;
+  SmoothingSpline spline(neighbours, find_targets(x), shape, oversampling * oversampling);
+  for (int round = 0; round < rounds; ++round) {
+    if (round > 0) {
+      spline.relax_creases(x);
+      spline.set_targets(find_targets(x));
+    }
+    double first_residual = 0;
+    minimise(spline, x, first_residual);
+  }
   return x;
 }
 

@@ -23,6 +23,8 @@
 #include "volsurf/core/grid.h"
 #include "volsurf/surface/point_neighbours.h"
 
+#include <functional>
+
 namespace volsurf {
 
 /// Where a point should be. Lengths are in voxels, the smallest spacing.
@@ -41,6 +43,15 @@ constexpr double kBend = 0.02;
 /// reaches over some points of a surface of the scan's own grid reaches over so many times as many. O(points): each is
 /// visited about 100 times, on a finer grid 400 times. Parallel.
 std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::vector<Target> &targets,
+                                 const std::vector<Vec3> &shape, int oversampling = 1);
+
+/// What each point says of its place when the points are at `places`.
+using FindTargets = std::function<std::vector<Target>(const std::vector<Vec3> &places)>;
+
+/// The same where targets depend on the places of all points: they are asked for `rounds` times, each time at the
+/// places found with the last ones, at first at `shape`. They stand for the triangles as they are, flat, so that points
+/// are not moved in the end. Axes and features stay what they are at first.
+std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const FindTargets &find_targets, int rounds,
                                  const std::vector<Vec3> &shape, int oversampling = 1);
 
 } // namespace volsurf

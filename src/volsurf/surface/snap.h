@@ -8,9 +8,8 @@
 // would turn a triangle over are taken back.
 #pragma once
 
-#include "volsurf/core/grid.h"
 #include "volsurf/core/located_edge.h"
-#include "volsurf/core/mesh.h"
+#include "volsurf/surface/placement.h"
 
 #include <functional>
 #include <optional>
@@ -21,22 +20,11 @@ namespace volsurf {
 /// none within a limit in mm. Called from several threads.
 using FindEdge = std::function<std::optional<LocatedEdge>(const Vec3 &index, const Vec3 &direction, double limit_mm)>;
 
-/// The furthest way of a point to its edge, in voxels of the scan along it: so far a smoothed staircase is off at most.
-constexpr double kSnapLimitVoxels = 1.5;
-
-struct SnapResult {
-  std::int64_t points = 0;        ///< all of them
-  std::int64_t moved = 0;         ///< points that found their edge
-  std::int64_t followed = 0;      ///< points that found none, or lie on a junction, and went with their neighbours
-  std::int64_t rejected = 0;      ///< points that stayed, since a triangle would have turned over
-  double root_mean_square_mm = 0; ///< of the ways of all points
-};
-
 /// How far off an edge counts as at least, in voxels of the smallest spacing. From 0.03 to 0.06 all of the study's
 /// shapes without noise gain; at 0.1 creases begin to suffer, while the terraces of masks and labels go.
 constexpr double kLeastError = 0.06;
 
 /// O(points * steps of find_edge), parallel.
-SnapResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, double least_error = kLeastError);
+PlacementResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, double least_error = kLeastError);
 
 } // namespace volsurf
