@@ -73,7 +73,8 @@ def open_tasks(settings, methods, known):
     again = set()
     for task in tasks_of(settings):
         names = missing_in(task)
-        tasks.append([(setting, names) for setting in task if missing_in([setting]) or names and "stability" in setting.case])
+        everywhere = names and task[0].case.get("stability")
+        tasks.append([(setting, names) for setting in task if everywhere or missing_in([setting])])
         again |= {(setting.key, name) for setting, names in tasks[-1] for name in names}
     return list(filter(None, tasks)), [result for result in known if (result.scan, result.method) not in again]
 

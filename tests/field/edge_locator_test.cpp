@@ -1,13 +1,11 @@
 #include "volsurf/field/edge_locator.h"
 
-#include "support/fields.h"
+#include "support/partial_volumes.h"
 
 #include "volsurf/field/noise_level.h"
 #include "volsurf/phantom/noise.h"
 
 #include <gtest/gtest.h>
-
-#include <functional>
 
 using namespace volsurf;
 using namespace volsurf::support;
@@ -17,23 +15,11 @@ namespace {
 constexpr std::int64_t kSize = 40;
 constexpr double kNoise = 1; ///< of the gradient
 
-/// A body of 100 in an emptiness of 20, each sample the mean over its voxel.
-Volume body(const std::function<double(const Vec3 &)> &distance)
+/// A body of 100 in an emptiness of 20.
+template <typename Distance> Volume body(Distance distance)
 {
-  Volume volume;
-  volume.grid.size = {kSize, kSize, kSize};
   constexpr int kParts = 6;
-  for_each_sample(volume.grid.size, [&](const Index3 &p, SampleId) {
-    int inside = 0;
-    for_each_sample({kParts, kParts, kParts}, [&](const Index3 &part, SampleId) {
-      Vec3 place{};
-      for (int axis = 0; axis < 3; ++axis)
-        place[axis] = static_cast<double>(p[axis]) + (static_cast<double>(part[axis]) + 0.5) / kParts - 0.5;
-      inside += distance(place) < 0;
-    });
-    volume.samples.push_back(20 + 80 * static_cast<float>(inside) / static_cast<float>(kParts * kParts * kParts));
-  });
-  return volume;
+  return scan_of_body({kSize, kSize, kSize}, distance, 20, 100, kParts);
 }
 
 const Vec3 kCentre{19.3, 20.1, 19.8};

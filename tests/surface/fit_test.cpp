@@ -4,6 +4,7 @@
 #include "support/partial_volumes.h"
 
 #include "volsurf/core/parallel.h"
+#include "volsurf/field/oversample.h"
 #include "volsurf/surface/check.h"
 
 #include <gtest/gtest.h>
@@ -94,12 +95,7 @@ TEST(FitMesh, LooksOnlyAtTheScansOwnSamples)
 {
   const Volume scan = scan_of_body(kSize, distance_to_ball);
   Volume fine;
-  fine.grid = scan.grid;
-  fine.grid.oversampling = 2;
-  for (int axis = 0; axis < 3; ++axis) {
-    fine.grid.size[axis] = 2 * kSize[axis] - 1;
-    fine.grid.spacing_mm[axis] = 0.5;
-  }
+  fine.grid = oversampled_grid(scan.grid, 2);
   for_each_sample(fine.grid.size, [&](const Index3 &p, SampleId) {
     const bool own = p[0] % 2 == 0 && p[1] % 2 == 0 && p[2] % 2 == 0;
     const auto sample = static_cast<std::size_t>(p[0] / 2 + kSize[0] * (p[1] / 2 + kSize[1] * (p[2] / 2)));

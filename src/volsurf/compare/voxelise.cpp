@@ -11,18 +11,12 @@ namespace volsurf {
 namespace {
 
 /// Adds a segment to the changes of the winding number: at each row that it crosses, at the first sample behind it.
-void add_segment(const Crossing &up, const Crossing &down, const Index3 &size, std::vector<std::int32_t> &changes)
+void add_segment(const Crossing &from, const Crossing &to, const Index3 &size, std::vector<std::int32_t> &changes)
 {
-  const Crossing &low = up.y < down.y ? up : down;
-  const Crossing &high = up.y < down.y ? down : up;
-  const std::int32_t change = up.y < down.y ? 1 : -1;
-  const double first = std::clamp(std::floor(low.y) + 1, 0.0, static_cast<double>(size[1]));
-  const double last = std::clamp(std::floor(high.y), -1.0, static_cast<double>(size[1] - 1));
-  for (auto row = static_cast<std::int64_t>(first); row <= static_cast<std::int64_t>(last); ++row) {
-    const double part = (static_cast<double>(row) - low.y) / (high.y - low.y);
-    const double x = std::clamp(std::ceil(low.x + part * (high.x - low.x)), 0.0, static_cast<double>(size[0]));
-    changes[static_cast<std::size_t>(row * (size[0] + 1) + static_cast<std::int64_t>(x))] += change;
-  }
+  for_each_crossed_row(from, to, 0, size[1], [&](std::int64_t row, double x, bool up) {
+    const auto sample = static_cast<std::int64_t>(std::clamp(std::ceil(x), 0.0, static_cast<double>(size[0])));
+    changes[static_cast<std::size_t>(row * (size[0] + 1) + sample)] += up ? 1 : -1;
+  });
 }
 
 /// Winding numbers along each row, which are 0 outside.
@@ -49,7 +43,7 @@ Mask voxelise(const Mesh &mesh, const Grid &grid)
     for (std::int64_t z = slab.begin; z < slab.end; ++z) {
       std::fill(changes.begin(), changes.end(), 0);
       planes.for_each_segment(z,
-                              [&](const Crossing &up, const Crossing &down) { add_segment(up, down, size, changes); });
+                              [&](const Crossing &from, const Crossing &to) { add_segment(from, to, size, changes); });
       fill_plane(changes, size, mask.inside.data() + z * size[0] * size[1]);
     }
   });

@@ -8,6 +8,7 @@
 #include "volsurf/core/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace volsurf {
 
@@ -16,6 +17,22 @@ struct Crossing {
   double x;
   double y;
 };
+
+/// Calls visit(row, x, up) where a segment of a plane crosses the rows at y = row + offset, row in 0 .. rows - 1; `up`
+/// tells whether y grows along it. An end on a row counts as above it.
+template <typename Visit>
+void for_each_crossed_row(const Crossing &from, const Crossing &to, double offset, std::int64_t rows, Visit visit)
+{
+  const bool up = from.y < to.y;
+  const Crossing &low = up ? from : to;
+  const Crossing &high = up ? to : from;
+  const double first = std::clamp(std::floor(low.y - offset) + 1, 0.0, static_cast<double>(rows));
+  const double last = std::clamp(std::floor(high.y - offset), -1.0, static_cast<double>(rows - 1));
+  for (auto row = static_cast<std::int64_t>(first); row <= static_cast<std::int64_t>(last); ++row) {
+    const double part = (static_cast<double>(row) + offset - low.y) / (high.y - low.y);
+    visit(row, low.x + part * (high.x - low.x), up);
+  }
+}
 
 /// A surface in the index coordinates of a grid, and for each plane of samples the triangles that cross it.
 class PlaneTriangles {

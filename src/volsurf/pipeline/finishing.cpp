@@ -27,14 +27,15 @@ double placement_sigma_mm(const Grid &grid, double sigma_mm)
   return std::min(kPlacementBlur * std::max(sigma_mm, slice_mm), kMostPlacementBlur * sigma_mm);
 }
 
-EdgeLocator make_locator(const Volume &volume, double sigma_mm)
+/// `noise` is the sd in a sample.
+EdgeLocator make_locator(const Volume &volume, double sigma_mm, double noise)
 {
   const double placement_mm = placement_sigma_mm(volume.grid, sigma_mm);
   FieldOptions field;
   field.sigma_mm = placement_mm;
   // On a finer grid noise moves neighbouring points alike, so that each knows less.
-  const double noise = volume.grid.oversampling * measure_noise(volume, EdgeField(volume, field)).gradient;
-  return {volume, placement_mm, noise};
+  const double gradient_noise = volume.grid.oversampling * (noise * EdgeField(volume, field).noise_gain());
+  return {volume, placement_mm, gradient_noise};
 }
 
 /// The scan's passes; so many times as many reach as far on a finer grid.
@@ -62,7 +63,7 @@ PlacementResult Finisher::place(Mesh &mesh)
   if (encloses_one_thing(mesh))
     return fit_mesh(mesh, *volume_, scan_grid(grid_), noise_, kLeastFitError * strength);
   if (!locator_)
-    locator_ = make_locator(*volume_, sigma_mm_);
+    locator_ = make_locator(*volume_, sigma_mm_, noise_);
   const auto find_edge = [this](const Vec3 &index, const Vec3 &direction, double limit_mm) {
     return locator_->find(index, direction, limit_mm);
   };

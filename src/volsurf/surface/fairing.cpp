@@ -3,6 +3,8 @@
 #include "volsurf/core/vec3.h"
 #include "volsurf/surface/point_loop.h"
 
+#include <utility>
+
 namespace volsurf {
 
 namespace {
@@ -107,10 +109,10 @@ public:
     set_targets(targets);
   }
 
-  void set_targets(const std::vector<Target> &targets)
+  void set_targets(std::vector<Target> targets)
   {
-    targets_ = targets;
-    for_each_point(size(), [&](std::size_t i) { weight_[i] = 1 / (targets[i].error * targets[i].error); });
+    targets_ = std::move(targets);
+    for_each_point(size(), [&](std::size_t i) { weight_[i] = 1 / (targets_[i].error * targets_[i].error); });
   }
 
   std::size_t size() const { return targets_.size(); }

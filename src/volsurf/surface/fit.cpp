@@ -65,8 +65,7 @@ public:
   std::vector<Target> targets_at(const std::vector<Vec3> &places)
   {
     for_each_point(places.size(), [&](std::size_t i) {
-      const Vec3 world = index_to_world(placement_.grid, over_spacing(scaled(unit_mm_, places[i]), placement_.grid));
-      moving_.points[i] = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+      moving_.points[i] = point_of_position(scaled(unit_mm_, places[i]), placement_.grid);
     });
     model_.set_surface(moving_);
     std::vector<Target> targets(places.size());
@@ -88,11 +87,6 @@ private:
     return round_ < kTrustingRounds ? noise_ : std::max(noise_, contrast.left_over);
   }
 
-  static Vec3 over_spacing(const Vec3 &mm, const Grid &grid)
-  {
-    return {mm[0] / grid.spacing_mm[0], mm[1] / grid.spacing_mm[1], mm[2] / grid.spacing_mm[2]};
-  }
-
   Target target_at(std::size_t i, const std::vector<Vec3> &places)
   {
     const int oversampling = placement_.grid.oversampling;
@@ -101,7 +95,7 @@ private:
     const auto normal = placement_.wall_normal(static_cast<PointId>(i), places);
     if (!normal)
       return target;
-    Vec3 index = over_spacing(scaled(unit_mm_, places[i]), model_.window.grid);
+    Vec3 index = index_of_position(scaled(unit_mm_, places[i]), model_.window.grid);
     for (int axis = 0; axis < 3; ++axis)
       index[axis] -= static_cast<double>(model_.window.begin[axis]);
     if (looks_at_contrasts())
@@ -145,16 +139,11 @@ PlacementResult fit_mesh(Mesh &mesh, const Volume &volume, const Grid &scan, dou
 {
   const PlacementMesh placement(mesh, volume.grid);
   Fit fit(placement, volume, scan, noise, least_error);
-  const double unit_mm = smallest_spacing_mm(volume.grid);
-  std::vector<Vec3> shape(mesh.points.size());
-  for_each_point(shape.size(), [&](std::size_t i) { shape[i] = scaled(1 / unit_mm, placement.positions[i]); });
   const auto find_targets = [&](const std::vector<Vec3> &places) { return fit.targets_at(places); };
-  auto moves = fair_positions(placement.neighbours, find_targets, kRounds, shape, volume.grid.oversampling);
-  for_each_point(shape.size(), [&](std::size_t i) {
-    moves[i] = within_limit(scaled(unit_mm, minus(moves[i], shape[i])), volume.grid.oversampling * kSnapLimitVoxels,
-                            volume.grid);
-  });
-  return move_points(placement, std::move(moves), fit.known(), TurningOver::from_those_around, mesh);
+  const int oversampling = volume.grid.oversampling;
+  const auto places = fair_positions(placement.neighbours, find_targets, kRounds, places_of(placement), oversampling);
+  return move_points(placement, moves_to(places, oversampling * kSnapLimitVoxels, placement), fit.known(),
+                     TurningOver::from_those_around, mesh);
 }
 
 } // namespace volsurf

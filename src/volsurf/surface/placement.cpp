@@ -175,6 +175,16 @@ double root_mean_square(const std::vector<Vec3> &moves)
   return moves.empty() ? 0 : std::sqrt(squared / static_cast<double>(moves.size()));
 }
 
+/// A move in mm, cut off where it is longer than so many voxels of the scan along it.
+Vec3 within_limit(const Vec3 &move, double limit_voxels, const Grid &grid)
+{
+  const double size = length(move);
+  if (size == 0)
+    return move;
+  const double limit = limit_voxels * voxel_mm(grid, scaled(1 / size, move));
+  return size > limit ? scaled(limit / size, move) : move;
+}
+
 } // namespace
 
 PlacementMesh::PlacementMesh(const Mesh &m, const Grid &g)
@@ -213,13 +223,34 @@ double voxel_mm(const Grid &grid, const Vec3 &direction)
                                         direction[2] * grid.spacing_mm[2]);
 }
 
-Vec3 within_limit(const Vec3 &move, double limit_voxels, const Grid &grid)
+Vec3 index_of_position(const Vec3 &position_mm, const Grid &grid)
 {
-  const double size = length(move);
-  if (size == 0)
-    return move;
-  const double limit = limit_voxels * voxel_mm(grid, scaled(1 / size, move));
-  return size > limit ? scaled(limit / size, move) : move;
+  return {position_mm[0] / grid.spacing_mm[0], position_mm[1] / grid.spacing_mm[1],
+          position_mm[2] / grid.spacing_mm[2]};
+}
+
+Point point_of_position(const Vec3 &position_mm, const Grid &grid)
+{
+  const Vec3 world = index_to_world(grid, index_of_position(position_mm, grid));
+  return {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+}
+
+std::vector<Vec3> places_of(const PlacementMesh &placement)
+{
+  const double unit_mm = smallest_spacing_mm(placement.grid);
+  std::vector<Vec3> places(placement.positions.size());
+  for_each_point(places.size(), [&](std::size_t i) { places[i] = scaled(1 / unit_mm, placement.positions[i]); });
+  return places;
+}
+
+std::vector<Vec3> moves_to(const std::vector<Vec3> &places, double limit_voxels, const PlacementMesh &placement)
+{
+  const double unit_mm = smallest_spacing_mm(placement.grid);
+  std::vector<Vec3> moves = places_of(placement);
+  for_each_point(moves.size(), [&](std::size_t i) {
+    moves[i] = within_limit(scaled(unit_mm, minus(places[i], moves[i])), limit_voxels, placement.grid);
+  });
+  return moves;
 }
 
 PlacementResult move_points(const PlacementMesh &placement, std::vector<Vec3> moves, const std::vector<char> &known,
@@ -232,11 +263,7 @@ PlacementResult move_points(const PlacementMesh &placement, std::vector<Vec3> mo
   result.rejected = take_back_overturns(placement, rule, moves);
   result.root_mean_square_mm = root_mean_square(moves);
   for_each_point(moves.size(), [&](std::size_t point) {
-    Vec3 index = plus(placement.positions[point], 1, moves[point]);
-    for (int axis = 0; axis < 3; ++axis)
-      index[axis] /= placement.grid.spacing_mm[axis];
-    const Vec3 world = index_to_world(placement.grid, index);
-    mesh.points[point] = {static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+    mesh.points[point] = point_of_position(plus(placement.positions[point], 1, moves[point]), placement.grid);
   });
   return result;
 }

@@ -47,11 +47,18 @@ struct PlacementMesh {
   std::vector<char> on_feature;  ///< 1 on junctions and on the rims of caps
 };
 
+/// The fractional index of a position in mm along the axes of the grid, and its point in the world.
+Vec3 index_of_position(const Vec3 &position_mm, const Grid &grid);
+Point point_of_position(const Vec3 &position_mm, const Grid &grid);
+
+/// The positions in units of the grid's smallest spacing, as fairing takes them.
+std::vector<Vec3> places_of(const PlacementMesh &placement);
+
+/// The moves in mm from the positions to such places, cut off where they are longer than so many voxels of the scan.
+std::vector<Vec3> moves_to(const std::vector<Vec3> &places, double limit_voxels, const PlacementMesh &placement);
+
 /// The size of the scan's voxels along a direction of unit length.
 double voxel_mm(const Grid &grid, const Vec3 &direction);
-
-/// A move in mm, cut off where it is longer than so many voxels of the scan along it.
-Vec3 within_limit(const Vec3 &move, double limit_voxels, const Grid &grid);
 
 /// What a triangle's normal must not point away from.
 enum class TurningOver {

@@ -77,32 +77,43 @@ struct AxisWeights {
   Lanes weights{};
 };
 
-/// Weighted sums over samples g and the parts h of their voxels that are inside.
-struct Sums {
+/// Weighted sums over samples g and the parts h of their voxels that are inside: those that a straight line needs.
+struct LineSums {
   Lanes w{};
-  Lanes ww{};
   Lanes h{};
   Lanes g{};
   Lanes hh{};
   Lanes hg{};
   Lanes gg{};
 
-  void add_row(const Lanes &weights, float weight, const float *h_row, const float *g_row)
+  void add(int lane, float weight, float part, float sample)
   {
-    for (int i = 0; i < kLanes; ++i) {
-      const float m = weight * weights[i];
-      w[i] += m;
-      ww[i] += m * m;
-      h[i] += m * h_row[i];
-      g[i] += m * g_row[i];
-      hh[i] += m * h_row[i] * h_row[i];
-      hg[i] += m * h_row[i] * g_row[i];
-      gg[i] += m * g_row[i] * g_row[i];
-    }
+    w[lane] += weight;
+    h[lane] += weight * part;
+    g[lane] += weight * sample;
+    hh[lane] += weight * part * part;
+    hg[lane] += weight * part * sample;
+    gg[lane] += weight * sample * sample;
   }
 };
 
-Sums sums_around(const Vec3 &place, double sigma, const ScanModel &model)
+/// And those that a mean needs, with its sd.
+struct MeanSums {
+  Lanes w{};
+  Lanes ww{};
+  Lanes h{};
+  Lanes g{};
+
+  void add(int lane, float weight, float part, float sample)
+  {
+    w[lane] += weight;
+    ww[lane] += weight * weight;
+    h[lane] += weight * part;
+    g[lane] += weight * sample;
+  }
+};
+
+template <typename Sums> Sums sums_around(const Vec3 &place, double sigma, const ScanModel &model)
 {
   const AxisWeights x(place[0], 0, model.window, sigma);
   const AxisWeights y(place[1], 1, model.window, sigma);
@@ -111,9 +122,12 @@ Sums sums_around(const Vec3 &place, double sigma, const ScanModel &model)
   for (int k = 0; k <= 2 * kReach; ++k)
     for (int j = 0; j <= 2 * kReach; ++j) {
       const float weight = y.weights[j] * z.weights[k];
-      if (weight > kLeastWeight)
-        sums.add_row(x.weights, weight, model.shares.row(y.first + j, z.first + k) + x.first,
-                     model.samples.row(y.first + j, z.first + k) + x.first);
+      if (!(weight > kLeastWeight))
+        continue;
+      const float *const parts = model.shares.row(y.first + j, z.first + k) + x.first;
+      const float *const samples = model.samples.row(y.first + j, z.first + k) + x.first;
+      for (int lane = 0; lane < kLanes; ++lane)
+        sums.add(lane, weight * x.weights[lane], parts[lane], samples[lane]);
     }
   return sums;
 }
@@ -135,7 +149,7 @@ std::optional<Contrast> contrast_around(const Vec3 &place, const ScanModel &mode
 {
   constexpr double kLeastVariance = 1e-6; // of the parts
   constexpr double kLeastStep = 1e-5;     // as part of the intensities: less is rounding
-  const Sums sums = sums_around(place, kAround, model);
+  const auto sums = sums_around<LineSums>(place, kAround, model);
   const double w = sum_of(sums.w);
   if (!(w > 0))
     return std::nullopt;
@@ -153,7 +167,7 @@ std::optional<Contrast> contrast_around(const Vec3 &place, const ScanModel &mode
 
 std::optional<Mismatch> mismatch_at(const Vec3 &place, const Contrast &contrast, double noise, const ScanModel &model)
 {
-  const Sums sums = sums_around(place, kNear, model);
+  const auto sums = sums_around<MeanSums>(place, kNear, model);
   const double w = sum_of(sums.w);
   if (!(w > 0))
     return std::nullopt;

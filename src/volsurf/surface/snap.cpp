@@ -43,9 +43,7 @@ std::vector<Way> find_ways(const PlacementMesh &placement, const FindEdge &find_
     const auto direction = placement.wall_normal(static_cast<PointId>(point), placement.positions);
     if (!direction)
       return;
-    Vec3 index = placement.positions[point];
-    for (int axis = 0; axis < 3; ++axis)
-      index[axis] /= grid.spacing_mm[axis];
+    const Vec3 index = index_of_position(placement.positions[point], grid);
     const double voxel = voxel_mm(grid, *direction);
     if (const auto edge = find_edge(index, *direction, kSnapLimitVoxels * voxel))
       ways[point] = {true, edge->way_mm, edge->error_mm, *direction, voxel};
@@ -130,19 +128,6 @@ std::vector<Target> make_targets(const PlacementMesh &placement, const std::vect
   return targets;
 }
 
-/// How far each point moves, in mm: to its place on the fair surface.
-std::vector<Vec3> fair_moves(const PlacementMesh &placement, const std::vector<Target> &targets)
-{
-  const double voxel = smallest_spacing_mm(placement.grid);
-  std::vector<Vec3> shape(targets.size());
-  for_each_point(shape.size(), [&](std::size_t i) { shape[i] = scaled(1 / voxel, placement.positions[i]); });
-  std::vector<Vec3> moves = fair_positions(placement.neighbours, targets, shape, placement.grid.oversampling);
-  for_each_point(shape.size(), [&](std::size_t i) {
-    moves[i] = within_limit(scaled(voxel, minus(moves[i], shape[i])), kSnapLimitVoxels, placement.grid);
-  });
-  return moves;
-}
-
 } // namespace
 
 PlacementResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edge, double least_error)
@@ -152,8 +137,9 @@ PlacementResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edg
   judge_ways(placement, ways);
   std::vector<char> known(ways.size());
   for_each_point(ways.size(), [&](std::size_t point) { known[point] = ways[point].known ? 1 : 0; });
-  std::vector<Vec3> moves = fair_moves(placement, make_targets(placement, ways, least_error));
-  return move_points(placement, std::move(moves), known, TurningOver::from_before, mesh);
+  const auto places = fair_positions(placement.neighbours, make_targets(placement, ways, least_error),
+                                     places_of(placement), grid.oversampling);
+  return move_points(placement, moves_to(places, kSnapLimitVoxels, placement), known, TurningOver::from_before, mesh);
 }
 
 } // namespace volsurf

@@ -34,22 +34,17 @@ Grid grid_of_lines(const Grid &grid)
 /// Adds what a segment changes along the lines that it crosses, which are `offset` above the samples: the voxel that it
 /// crosses by the part behind it, the next one by what is left of 1. `changes` holds a row for each row of voxels, one
 /// longer than these.
-void add_segment(const Crossing &up, const Crossing &down, double offset, const Index3 &size, float *changes)
+void add_segment(const Crossing &from, const Crossing &to, double offset, const Index3 &size, float *changes)
 {
-  const Crossing &low = up.y < down.y ? up : down;
-  const Crossing &high = up.y < down.y ? down : up;
-  const double change = (up.y < down.y ? 1.0 : -1.0) / kLines;
-  const double first = std::clamp(std::floor(low.y - offset) + 1, 0.0, static_cast<double>(size[1]));
-  const double last = std::clamp(std::floor(high.y - offset), -1.0, static_cast<double>(size[1] - 1));
-  for (auto row = static_cast<std::int64_t>(first); row <= static_cast<std::int64_t>(last); ++row) {
-    const double part = (static_cast<double>(row) + offset - low.y) / (high.y - low.y);
-    const double x = std::clamp(low.x + part * (high.x - low.x) + 0.5, 0.0, static_cast<double>(size[0]));
+  for_each_crossed_row(from, to, offset, size[1], [&](std::int64_t row, double crossing, bool up) {
+    const double change = (up ? 1.0 : -1.0) / kLines;
+    const double x = std::clamp(crossing + 0.5, 0.0, static_cast<double>(size[0]));
     const auto voxel = std::min(static_cast<std::int64_t>(x), size[0] - 1);
     float *const at = changes + row * (size[0] + 1) + voxel;
     const double behind = 1 - (x - static_cast<double>(voxel));
     at[0] += static_cast<float>(change * behind);
     at[1] += static_cast<float>(change * (1 - behind));
-  }
+  });
 }
 
 /// One row of `changes`.
@@ -75,8 +70,8 @@ std::vector<float> voxel_shares(const Mesh &mesh, const Grid &grid, std::int64_t
     for (std::int64_t z = slab.begin; z < slab.end; ++z) {
       std::fill(changes.begin(), changes.end(), 0.0F);
       for (std::int64_t line = 0; line < kLines; ++line)
-        planes.for_each_segment(kLines * z + line, [&](const Crossing &up, const Crossing &down) {
-          add_segment(up, down, line_offset(line), size, changes.data());
+        planes.for_each_segment(kLines * z + line, [&](const Crossing &from, const Crossing &to) {
+          add_segment(from, to, line_offset(line), size, changes.data());
         });
       for (std::int64_t y = 0; y < size[1]; ++y)
         sum_up(changes.data() + y * (size[0] + 1), size[0], shares.data() + (z * size[1] + y) * row_length + padding);
