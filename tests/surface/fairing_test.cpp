@@ -125,6 +125,18 @@ TEST(FairPositions, NoiseOfUncertainPointsIsEvenedOutAndTheCurvatureStays)
   }
 }
 
+TEST(FairPositions, WhatIsFoldedByItselfKeepsItsFolds)
+{
+  const Sheet sheet;
+  const auto folded = sheet.at([](double x, double y) { return 0.2 * (std::sin(0.9 * x) + std::sin(0.9 * y)); });
+  const auto off_by = [&](const MeshSampling &sampling) {
+    const auto targets = targets_at(folded, 0.3);
+    return rms_of_inner(fair_positions(PointNeighbours(sheet.mesh), targets, folded, sampling), folded);
+  };
+  const MeshSampling uneven{1, false};
+  EXPECT_LT(off_by({}), 0.7 * off_by(uneven)) << "where points lie unevenly, bends say nothing of folds";
+}
+
 TEST(FairPositions, OnAFinerGridNoiseIsEvenedOutOverMorePoints)
 {
   const Sheet sheet;
@@ -132,7 +144,7 @@ TEST(FairPositions, OnAFinerGridNoiseIsEvenedOutOverMorePoints)
   const auto noisy = with_noise(smooth, 0.3);
   const auto rms_at = [&](int oversampling) {
     const auto found =
-        fair_positions(PointNeighbours(sheet.mesh), targets_at(noisy, 0.3 * oversampling), noisy, oversampling);
+        fair_positions(PointNeighbours(sheet.mesh), targets_at(noisy, 0.3 * oversampling), noisy, {oversampling});
     return rms_of_inner(found, smooth);
   };
   EXPECT_LT(rms_at(2), 0.8 * rms_at(1));

@@ -130,7 +130,7 @@ void extract_regions(MergedVolume &merged, const Settings &settings, Outputs &ou
       is_usual ? all_regions(merged, settings, report) : cut_at_delta(merged, field, settings, report, timer);
   report.background_region = regions.of_basin[merged.merge.hierarchy.background];
   const Grid corners = corner_grid(merged);
-  const Selection selection = select_sides(settings, corners, merged.merge, regions, report.background_region);
+  const Selection selection = select_sides(settings, volume, corners, merged.merge, regions, report.background_region);
   const Provenance provenance{version_text(), source_name(merged), describe(settings, report.decision.delta)};
   make_surfaces({volume, corners, field.sigma_mm(), merged.merge, regions, report.background_region}, settings,
                 selection, {outputs, report, timer, progress, provenance});

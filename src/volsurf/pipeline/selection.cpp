@@ -1,6 +1,7 @@
 #include "volsurf/pipeline/selection.h"
 
 #include "volsurf/core/error.h"
+#include "volsurf/pipeline/hull.h"
 #include "volsurf/surface/islands.h"
 
 #include <algorithm>
@@ -63,24 +64,48 @@ std::vector<RegionId> named_regions(const Settings &settings, const Grid &grid, 
   throw EmptyResult(message.str());
 }
 
-/// Those that are no background, and of at least --min-volume: by themselves or, for a hull, with all that they hang
-/// together with.
-std::vector<RegionId> large_regions(const Settings &settings, const Grid &grid, const RegionMerge &merge,
-                                    const Regions &regions, RegionId background)
+/// Per region id, 1 for the background and all else that a surface around everything leaves outside.
+std::vector<char> outside_of(const Settings &settings, const Volume &volume, const RegionMerge &merge,
+                             const Regions &regions, RegionId background)
 {
+  const bool has_intensities = settings.method == Method::volsurf && !settings.field.edge_map;
+  if (settings.surface == SurfaceKind::hull && has_intensities)
+    return find_outside_of_hull(merge.cells, volume, regions, background);
+  std::vector<char> outside(regions.count() + 1);
+  outside[background] = 1;
+  return outside;
+}
+
+/// What --min-volume measures for each region: itself or, for a hull, all that hangs together with it inside.
+std::vector<RegionId> things_of_regions(const Settings &settings, const RegionMerge &merge, const Regions &regions,
+                                        const std::vector<char> &outside)
+{
+  if (settings.surface == SurfaceKind::hull && settings.min_volume_mm3 > 0) {
+    std::vector<RegionId> inside_of_basin = regions.of_basin;
+    for (RegionId &region : inside_of_basin)
+      region = outside[region] != 0 ? kNoRegion : region;
+    return find_islands(merge.cells, inside_of_basin, regions.count(), kNoRegion);
+  }
   std::vector<RegionId> thing(regions.count() + 1);
   std::iota(thing.begin(), thing.end(), RegionId{0});
-  if (settings.surface == SurfaceKind::hull && settings.min_volume_mm3 > 0)
-    thing = find_islands(merge.cells, regions.of_basin, regions.count(), background);
+  return thing;
+}
+
+/// Those that are inside, and of at least --min-volume.
+std::vector<RegionId> large_regions(const Settings &settings, const Volume &volume, const Grid &grid,
+                                    const RegionMerge &merge, const Regions &regions, RegionId background)
+{
+  const std::vector<char> outside = outside_of(settings, volume, merge, regions, background);
+  const std::vector<RegionId> thing = things_of_regions(settings, merge, regions, outside);
   std::vector<std::int64_t> cells(thing.size());
   for (RegionId region = 1; region < thing.size(); ++region)
-    if (region != background)
+    if (outside[region] == 0)
       cells[thing[region]] += regions.cell_counts[region - 1];
 
   const double cell_mm3 = voxel_volume_mm3(grid);
   std::vector<RegionId> large;
   for (RegionId region = 1; region < thing.size(); ++region)
-    if (region != background && static_cast<double>(cells[thing[region]]) * cell_mm3 >= settings.min_volume_mm3)
+    if (outside[region] == 0 && static_cast<double>(cells[thing[region]]) * cell_mm3 >= settings.min_volume_mm3)
       large.push_back(region);
   if (large.empty())
     refuse_emptiness(settings, static_cast<double>(*std::max_element(cells.begin(), cells.end())) * cell_mm3);
@@ -89,13 +114,13 @@ std::vector<RegionId> large_regions(const Settings &settings, const Grid &grid, 
 
 } // namespace
 
-Selection select_sides(const Settings &settings, const Grid &grid, const RegionMerge &merge, const Regions &regions,
-                       RegionId background)
+Selection select_sides(const Settings &settings, const Volume &volume, const Grid &grid, const RegionMerge &merge,
+                       const Regions &regions, RegionId background)
 {
   Selection selection;
   selection.regions = named_regions(settings, grid, merge, regions);
   if (selection.regions.empty())
-    selection.regions = large_regions(settings, grid, merge, regions, background);
+    selection.regions = large_regions(settings, volume, grid, merge, regions, background);
 
   std::vector<RegionId> side(regions.count() + 1);
   for (const RegionId region : selection.regions)

@@ -3,6 +3,7 @@
 #include "volsurf/core/vec3.h"
 #include "volsurf/surface/point_loop.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace volsurf {
@@ -96,16 +97,34 @@ std::vector<Vec3> average_bends(const Bends &bends, const std::vector<Vec3> &sha
   return expected;
 }
 
+/// The sd of a bend, from those of `shape` and their averages; 0 where they tell nothing.
+double measure_bend_sd(const Bends &bends, const std::vector<Vec3> &shape, const std::vector<Vec3> &averages)
+{
+  std::vector<double> deviations;
+  for (std::size_t i = 0; i < shape.size(); ++i)
+    if (bends.is_bound(i))
+      deviations.push_back(length(minus(bends.at(i, shape), averages[i])));
+  if (deviations.empty())
+    return 0;
+  const auto median = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+  std::nth_element(deviations.begin(), median, deviations.end());
+  const double sd = kBendOfDeviation * *median;
+  return sd < kBendOfStaircase ? sd : 0;
+}
+
 /// The sum to be minimised.
 class SmoothingSpline {
 public:
   SmoothingSpline(const PointNeighbours &neighbours, const std::vector<Target> &targets, const std::vector<Vec3> &shape,
-                  int reach)
-      : targets_(targets), bends_(neighbours, targets), reach_(reach),
-        expected_(average_bends(bends_, shape, kShapeRounds * reach)), stiffness_(targets.size()),
+                  const MeshSampling &sampling)
+      : targets_(targets), bends_(neighbours, targets), reach_(sampling.oversampling * sampling.oversampling),
+        expected_(average_bends(bends_, shape, kShapeRounds * reach_)), stiffness_(targets.size()),
         weight_(targets.size()), parts_(targets.size())
   {
-    for_each_point(size(), [&](std::size_t i) { stiffness_[i] = bends_.is_bound(i) ? kStiffness : 0; });
+    const double measured_sd = sampling.is_even ? measure_bend_sd(bends_, shape, expected_) : 0;
+    const double bend_sd = std::max(kLeastBend / sampling.oversampling, measured_sd);
+    usual_stiffness_ = 1 / (bend_sd * bend_sd);
+    for_each_point(size(), [&](std::size_t i) { stiffness_[i] = bends_.is_bound(i) ? usual_stiffness_ : 0; });
     set_targets(targets);
   }
 
@@ -150,8 +169,8 @@ public:
       if (!bends_.is_bound(i))
         return;
       const Vec3 off = minus(bends_.at(i, x), expected_[i]);
-      const double squared_sds = dot(off, off) * kStiffness / (kCreaseBends * kCreaseBends);
-      stiffness_[i] = kStiffness / (1 + squared_sds * squared_sds);
+      const double squared_sds = dot(off, off) * usual_stiffness_ / (kCreaseBends * kCreaseBends);
+      stiffness_[i] = usual_stiffness_ / (1 + squared_sds * squared_sds);
     });
   }
 
@@ -167,8 +186,6 @@ public:
   }
 
 private:
-  static constexpr double kStiffness = 1 / (kBend * kBend);
-
   Vec3 within_free_axes(std::size_t i, Vec3 v) const
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -180,6 +197,7 @@ private:
   Bends bends_;
   int reach_; // rounds and iterations for one where the grid is the scan's own
   std::vector<Vec3> expected_;
+  double usual_stiffness_ = 0;    // of a bend that is no crease
   std::vector<double> stiffness_; // per bend
   std::vector<double> weight_;    // per target
   std::vector<Vec3> parts_;       // scratch
@@ -217,10 +235,15 @@ void minimise(SmoothingSpline &spline, std::vector<Vec3> &x, double &first_resid
 
 } // namespace
 
-std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::vector<Target> &targets,
-                                 const std::vector<Vec3> &shape, int oversampling)
+MeshSampling sampling_of(const Grid &grid)
 {
-  SmoothingSpline spline(neighbours, targets, shape, oversampling * oversampling);
+  return {grid.oversampling, !has_thick_slices(grid)};
+}
+
+std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::vector<Target> &targets,
+                                 const std::vector<Vec3> &shape, const MeshSampling &sampling)
+{
+  SmoothingSpline spline(neighbours, targets, shape, sampling);
   std::vector<Vec3> x = shape;
   double first_residual = 0;
   minimise(spline, x, first_residual);
@@ -233,10 +256,10 @@ std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const std::v
 }
 
 std::vector<Vec3> fair_positions(const PointNeighbours &neighbours, const FindTargets &find_targets, int rounds,
-                                 const std::vector<Vec3> &shape, int oversampling)
+                                 const std::vector<Vec3> &shape, const MeshSampling &sampling)
 {
   std::vector<Vec3> x = shape;
-  SmoothingSpline spline(neighbours, find_targets(x), shape, oversampling * oversampling);
+  SmoothingSpline spline(neighbours, find_targets(x), shape, sampling);
   for (int round = 0; round < rounds; ++round) {
     if (round > 0) {
       spline.relax_creases(x);

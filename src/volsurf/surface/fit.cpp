@@ -22,10 +22,6 @@ constexpr int kTrustingRounds = 3;
 
 constexpr double kStep = 1.2; ///< of the way to where the mismatch is 0, to get there in fewer rounds
 
-/// On a finer grid for thin folds points count for more than noise alone would have it, since these bend more sharply
-/// than their neighbourhood does on average.
-constexpr double kErrorOnFinerGrid = 0.5;
-
 constexpr int kMargin = 6; ///< voxels around the mesh that are looked at
 
 Window window_around(const PlacementMesh &placement, const Grid &scan)
@@ -108,8 +104,8 @@ private:
     const double voxel = voxel_mm(placement_.grid, *normal) / unit_mm_;
     const double outwards = is_mirrored(placement_.grid) ? -1 : 1; // triangles are wound as the world sees them
     target.position = plus(places[i], outwards * kStep * voxel * mismatch->way, *normal);
-    const double error = (oversampling > 1 ? kErrorOnFinerGrid : 1) * voxel * mismatch->error;
-    target.error = std::sqrt(kStep) * std::hypot(oversampling * least_error_, error); // longer steps pull harder
+    const double error = std::hypot(oversampling * least_error_, voxel * mismatch->error);
+    target.error = std::sqrt(kStep) * error; // longer steps pull harder
     return target;
   }
 
@@ -141,7 +137,8 @@ PlacementResult fit_mesh(Mesh &mesh, const Volume &volume, const Grid &scan, dou
   Fit fit(placement, volume, scan, noise, least_error);
   const auto find_targets = [&](const std::vector<Vec3> &places) { return fit.targets_at(places); };
   const int oversampling = volume.grid.oversampling;
-  const auto places = fair_positions(placement.neighbours, find_targets, kRounds, places_of(placement), oversampling);
+  const auto places =
+      fair_positions(placement.neighbours, find_targets, kRounds, places_of(placement), sampling_of(volume.grid));
   return move_points(placement, moves_to(places, oversampling * kSnapLimitVoxels, placement), fit.known(),
                      TurningOver::from_those_around, mesh);
 }

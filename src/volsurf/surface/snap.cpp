@@ -138,7 +138,7 @@ PlacementResult snap_mesh(Mesh &mesh, const Grid &grid, const FindEdge &find_edg
   std::vector<char> known(ways.size());
   for_each_point(ways.size(), [&](std::size_t point) { known[point] = ways[point].known ? 1 : 0; });
   const auto places = fair_positions(placement.neighbours, make_targets(placement, ways, least_error),
-                                     places_of(placement), grid.oversampling);
+                                     places_of(placement), sampling_of(grid));
   return move_points(placement, moves_to(places, kSnapLimitVoxels, placement), known, TurningOver::from_before, mesh);
 }
 
