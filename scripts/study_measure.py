@@ -149,6 +149,8 @@ class ScanRun:
         """Makes the surface by the program or the script."""
         case = self.setting.case
         words = [*method["options"], *parameter]
+        if parameter and not method.get("rival") and "oversampling" in self.found:
+            words += ["--oversample", self.found["oversampling"]]  # another sigma or delta on the same grid
         if method.get("by_hand"):
             words += case["by_hand"]
         words += case.get("parts", ["--keep", "1"]) if method.get("of_parts") else case.get("select", [])
@@ -170,6 +172,7 @@ class ScanRun:
         """What volsurf chose by itself."""
         options = json.loads(path.read_text(encoding="utf-8"))["options"]
         self.found["sigma"], self.found["delta"] = options["sigma_mm"], options["delta"]
+        self.found["oversampling"] = options["oversampling"]
 
     def compare(self, surface, result):
         metrics, message = self.compared(surface, self.truth.measured)

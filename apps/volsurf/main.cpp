@@ -40,7 +40,8 @@ std::string place_text(const volsurf::Report &report)
   if (takes_iso_value(report.settings.method))
     out << "at the iso-value " << *report.settings.iso;
   else
-    out << "between " << report.regions << " regions at delta " << report.decision.delta;
+    out << "between " << report.regions << " regions at delta " << report.decision.delta
+        << (report.grid.oversampling > 1 ? " on a grid twice as fine" : "");
   return out.str();
 }
 

@@ -31,7 +31,8 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
       ->group("Field")
       ->check(CLI::Range(0, kLargestMedian));
   app.add_option("--oversample", settings.oversampling,
-                 "Look at the scan on a grid N times as fine, 1 or 2: for folds thinner than two voxels [1]")
+                 "Look at the scan on a grid N times as fine, 1 or 2: for folds thinner than two voxels "
+                 "[1; without --delta and --sigma 2 where a small scan has such folds]")
       ->group("Field")
       ->check(CLI::Range(1, kLargestOversampling));
   app.add_option("--sigma", settings.field.sigma_mm,

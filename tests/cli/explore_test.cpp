@@ -92,7 +92,7 @@ TEST_F(Explore, WhatToTypeNextWorksAndGivesTheRegionOfTheTable)
 
 TEST_F(Explore, SuggestsTheDeltaThatAutoTakes)
 {
-  const std::string scan = head(48);
+  const std::string scan = head(48) + " --oversample 1";
   const std::string text = explored(scan);
   std::smatch match;
   ASSERT_TRUE(std::regex_search(text, match, std::regex("takes delta ([0-9.]+): ([0-9]+) regions"))) << text;

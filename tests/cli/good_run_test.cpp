@@ -175,6 +175,47 @@ TEST_F(GoodRun, VerboseTellsOfAFinerGrid)
       contains(outcome.err, "volume      35 x 35 x 35 samples of 0.5 x 0.5 x 0.5 mm, twice as fine as the scan\n"));
 }
 
+/// Three plates of 20 x 20 x 2 voxels, whose walls face each other, and a thick one, in a volume of n^3.
+std::vector<float> samples_of_plates(int n)
+{
+  std::vector<float> samples;
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) {
+        const bool in_plane = x >= 6 && x < 26 && y >= 6 && y < 26 && z >= 4 && z < 28;
+        samples.push_back(in_plane && (z % 6 < 2 || z >= 22) ? 100.0F : 0.0F);
+      }
+  return samples;
+}
+
+TEST_F(GoodRun, ASmallFoldedScanIsLookedAtTwiceAsFineUnlessOptionsSayMore)
+{
+  const std::string plates = input("plates.nrrd", float_nrrd(samples_of_plates(32), "32 32 32"));
+  const auto oversampling = [&](const std::string &arguments) {
+    const Outcome outcome = run(arguments + " -q --report -");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return report_of(outcome)["options"]["oversampling"];
+  };
+  EXPECT_EQ(oversampling(plates), 2);
+  for (const std::string option :
+       {" --delta 20", " --regions 2", " --sigma 1", " --oversample 1", " --paper --delta 2"})
+    EXPECT_EQ(oversampling(plates + option), 1) << option;
+  EXPECT_EQ(oversampling(ball()), 1) << "no folds";
+  const std::string large = input("large.nrrd", float_nrrd(samples_of_plates(102), "102 102 102"));
+  EXPECT_EQ(oversampling(large), 1) << "a finer grid would be slow";
+  const std::string thick = "space: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,2)\n";
+  EXPECT_EQ(oversampling(input("thick.nrrd", float_nrrd(samples_of_plates(32), "32 32 32", thick))), 1);
+}
+
+TEST_F(GoodRun, VerboseTellsOfTheGridThatAFoldedScanGets)
+{
+  const std::string plates = input("plates.nrrd", float_nrrd(samples_of_plates(32), "32 32 32"));
+  EXPECT_TRUE(contains(run(plates + " -v").err,
+                       "volume      63 x 63 x 63 samples of 0.5 x 0.5 x 0.5 mm, twice as fine as the scan\n"));
+  EXPECT_TRUE(contains(run(plates + " -v --max-memory 80600000").err, "volume      32 x 32 x 32 samples"))
+      << "memory would not do for it";
+}
+
 TEST_F(GoodRun, TellsItsVersionAndItsOptionsOnStandardOutput)
 {
   const Outcome version = run("--version");

@@ -50,7 +50,7 @@ protected:
 
 TEST_F(SavedHierarchy, GivesTheSameResultsAsTheScanAtEveryDelta)
 {
-  expect_cuts_as(head(48), "",
+  expect_cuts_as(head(48), "--oversample 1",
                  {"", "--regions 5", "--delta 20%", "--delta 5", "--delta 15 --surface hull --keep 1",
                   "--delta 15 --seed 35,0,30 --smooth 1", "--delta 10 --keep 50% --rank-by area --frame ras"});
 }

@@ -13,6 +13,8 @@ using namespace volsurf::support;
 
 namespace {
 
+constexpr RegionId kOne = 1;
+
 struct Scene {
   LabelledCells labels;
   Volume volume;
@@ -66,7 +68,7 @@ RC_GTEST_PROP(RegionMeans, AreThoseOfTheCornersOfTheirCells, ())
     RC_ASSERT(expected[region].is_of(means[region]));
 }
 
-RC_GTEST_PROP(MeansAround, AreThoseOfTheRegionsAcrossTheFaces, ())
+RC_GTEST_PROP(SurroundingsOf, AreTheRegionsAcrossTheFaces, ())
 {
   Dice dice(*random_seed());
   const Scene scene = random_scene(dice, 6);
@@ -74,6 +76,7 @@ RC_GTEST_PROP(MeansAround, AreThoseOfTheRegionsAcrossTheFaces, ())
   for (std::size_t region = 0; region <= scene.regions.count(); ++region)
     means.push_back(static_cast<double>(dice.between(-1000, 1000)));
   std::vector<Mean> expected(means.size());
+  std::vector<Mean> expected_parts(means.size());
   for_each_sample(scene.labels.cells.size, [&](const Index3 &p, CellId) {
     for (int axis = 0; axis < 3; ++axis) {
       Index3 q = p;
@@ -84,12 +87,16 @@ RC_GTEST_PROP(MeansAround, AreThoseOfTheRegionsAcrossTheFaces, ())
       if (a != b) {
         expected[a].add(means[b]);
         expected[b].add(means[a]);
+        expected_parts[a].add(b == kOne ? 1 : 0);
+        expected_parts[b].add(a == kOne ? 1 : 0);
       }
     }
   });
-  const auto around = means_around(scene.labels.cells, scene.regions, means);
-  for (std::size_t region = 0; region < expected.size(); ++region)
-    RC_ASSERT(expected[region].is_of(around[region]));
+  const Surroundings around = surroundings_of(scene.labels.cells, scene.regions, means, kOne);
+  for (std::size_t region = 0; region < expected.size(); ++region) {
+    RC_ASSERT(expected[region].is_of(around.means[region]));
+    RC_ASSERT(expected_parts[region].is_of(around.parts[region]));
+  }
 }
 
 TEST(RegionMeans, AreTheSameForAnyNumberOfThreads)
@@ -97,10 +104,12 @@ TEST(RegionMeans, AreTheSameForAnyNumberOfThreads)
   Dice dice(3);
   const Scene scene = random_scene(dice, 40);
   const auto means = region_means(scene.labels.cells, scene.volume, scene.regions);
-  const auto around = means_around(scene.labels.cells, scene.regions, means);
+  const Surroundings around = surroundings_of(scene.labels.cells, scene.regions, means, kOne);
   for (const int threads : {1, 2, 3, 8}) {
     const ThreadLimit limit(threads);
     EXPECT_EQ(region_means(scene.labels.cells, scene.volume, scene.regions), means) << threads;
-    EXPECT_EQ(means_around(scene.labels.cells, scene.regions, means), around) << threads;
+    const Surroundings found = surroundings_of(scene.labels.cells, scene.regions, means, kOne);
+    EXPECT_EQ(found.means, around.means) << threads;
+    EXPECT_EQ(found.parts, around.parts) << threads;
   }
 }

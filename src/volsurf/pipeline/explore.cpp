@@ -108,6 +108,18 @@ BoundaryCurve boundary_curve(const RegionMerge &merge, const Grid &grid, const P
   return find_boundary_curve(merge.cells, grid, ranks, progress);
 }
 
+namespace {
+
+/// As for a given delta, since the answers are for all of them: a scan's grid may depend on --delta auto.
+MergedVolume read_for_every_delta(Settings settings, const Progress &progress,
+                                  const std::function<void(const Grid &)> &found)
+{
+  settings.delta = DeltaValue{};
+  return read_input(settings, progress, found);
+}
+
+} // namespace
+
 Exploration explore(const Settings &settings, const Progress &progress, const std::function<void(const Grid &)> &found)
 {
   const ThreadLimit limit(settings.threads);
@@ -115,7 +127,7 @@ Exploration explore(const Settings &settings, const Progress &progress, const st
   Exploration exploration;
   exploration.threads = settings.threads > 0 ? settings.threads : available_threads();
 
-  MergedVolume merged = read_input(settings, progress, found);
+  MergedVolume merged = read_for_every_delta(settings, progress, found);
   exploration.settings = settings_of_merge(settings, merged);
   exploration.source = merged.input.source;
   exploration.pixel_type = merged.input.pixel_type;

@@ -4,6 +4,7 @@
 #include "volsurf/core/timer.h"
 #include "volsurf/field/median.h"
 #include "volsurf/field/oversample.h"
+#include "volsurf/pipeline/choose_grid.h"
 #include "volsurf/pipeline/stored_merge.h"
 
 #include <sstream>
@@ -86,8 +87,11 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
       found(grid);
     require_memory(settings, grid);
   };
+  bool scan_decides = false;
   const auto check_scan = [&](const Grid &scan) {
-    check_grid(oversampled_grid(scan, settings.oversampling.value_or(1)));
+    scan_decides = leaves_oversampling_to_scan(settings, scan);
+    if (!scan_decides)
+      check_grid(oversampled_grid(scan, settings.oversampling.value_or(1)));
   };
   MergedVolume merged;
   if (is_stored_merge(settings.input)) {
@@ -99,7 +103,10 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
   merged.series_uid = settings.series_uid;
   merged.median_voxels = settings.median_voxels.value_or(0);
   filter_by_median(merged.input.volume, merged.median_voxels, progress);
-  oversample(merged.input.volume, settings.oversampling.value_or(1));
+  Volume &volume = merged.input.volume;
+  oversample(volume, scan_decides ? choose_oversampling(volume) : settings.oversampling.value_or(1));
+  if (scan_decides)
+    check_grid(volume.grid);
   merged.field = settings.field;
   merged.exterior = settings.exterior.value_or(MergeOptions{}.exterior);
   return merged;

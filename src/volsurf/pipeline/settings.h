@@ -33,7 +33,7 @@ struct Settings {
   std::string series_uid; ///< of a DICOM folder with several series
 
   std::optional<int> median_voxels; ///< radius of the median filter; not set: none, or what a hierarchy was made with
-  std::optional<int> oversampling;  ///< of the grid; not set: 1, or what a hierarchy was made with
+  std::optional<int> oversampling;  ///< of the grid; not set: as choose_grid.h says, or what a hierarchy was made with
   Method method = Method::volsurf;
   std::optional<double> iso; ///< where the method takes an iso-value; not set: Otsu's
   FieldOptions field;

@@ -10,18 +10,20 @@ namespace {
 
 constexpr std::int64_t kSlabs = 8; // as few as keep threads busy: each has sums for all regions
 
-/// Per region a sum, and how many numbers are in it.
+/// Per region a sum, how many numbers are in it, and how many of these are special.
 struct Sums {
-  explicit Sums(std::size_t regions) : sum(regions), count(regions) {}
+  explicit Sums(std::size_t regions) : sum(regions), count(regions), special(regions) {}
 
-  void add(RegionId region, double number)
+  void add(RegionId region, double number, bool is_special = false)
   {
     sum[region] += number;
     ++count[region];
+    special[region] += is_special ? 1 : 0;
   }
 
   std::vector<double> sum;
   std::vector<std::int64_t> count;
+  std::vector<std::int64_t> special;
 };
 
 /// Calls add_plane(z, sums) for all planes of cells, on all threads, and adds up the sums.
@@ -40,6 +42,7 @@ template <typename AddPlane> Sums sum_over_planes(std::int64_t planes, std::size
     for (std::size_t region = 0; region < regions; ++region) {
       total.sum[region] += sums.sum[region];
       total.count[region] += sums.count[region];
+      total.special[region] += sums.special[region];
     }
   return total;
 }
@@ -77,7 +80,8 @@ std::vector<double> region_means(const CellLabels &cells, const Volume &volume, 
   return means;
 }
 
-std::vector<double> means_around(const CellLabels &cells, const Regions &regions, const std::vector<double> &means)
+Surroundings surroundings_of(const CellLabels &cells, const Regions &regions, const std::vector<double> &means,
+                             RegionId one)
 {
   const auto &[nx, ny, nz] = cells.size;
   const std::array<std::int64_t, 3> steps{1, nx, nx * ny};
@@ -91,15 +95,19 @@ std::vector<double> means_around(const CellLabels &cells, const Regions &regions
           const RegionId lower = has_lower[axis] ? regions.of_basin[*(cell - steps[axis])] : region;
           if (lower == region)
             continue;
-          part.add(region, means[lower]);
-          part.add(lower, means[region]);
+          part.add(region, means[lower], lower == one);
+          part.add(lower, means[region], region == one);
         }
       }
   });
-  std::vector<double> around = means;
-  for (RegionId region = 1; region < means.size(); ++region)
-    if (sums.count[region] > 0)
-      around[region] = sums.sum[region] / static_cast<double>(sums.count[region]);
+  Surroundings around{means, std::vector<double>(means.size())};
+  for (RegionId region = 1; region < means.size(); ++region) {
+    const auto faces = static_cast<double>(sums.count[region]);
+    if (!(faces > 0))
+      continue;
+    around.means[region] = sums.sum[region] / faces;
+    around.parts[region] = static_cast<double>(sums.special[region]) / faces;
+  }
   return around;
 }
 

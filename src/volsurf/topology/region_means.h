@@ -11,8 +11,14 @@ namespace volsurf {
 /// volume's samples; 0 for index 0. O(cells), parallel; takes 64 bytes per region.
 std::vector<double> region_means(const CellLabels &cells, const Volume &volume, const Regions &regions);
 
-/// For each region, the mean over the faces that it shares with others of `means` on their other sides; its own where
-/// it shares none. O(cells), parallel; takes 128 bytes per region.
-std::vector<double> means_around(const CellLabels &cells, const Regions &regions, const std::vector<double> &means);
+/// What lies across the faces that a region shares with others, per region id.
+struct Surroundings {
+  std::vector<double> means; ///< of `means` over those faces; its own where it shares none
+  std::vector<double> parts; ///< of those faces, that are shared with one region
+};
+
+/// `parts` are those with `one`. O(cells), parallel; takes 192 bytes per region.
+Surroundings surroundings_of(const CellLabels &cells, const Regions &regions, const std::vector<double> &means,
+                             RegionId one);
 
 } // namespace volsurf
