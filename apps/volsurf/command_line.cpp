@@ -140,9 +140,9 @@ void add_selection_options(CLI::App &app, Settings &settings, Texts &texts)
                           {{"faces", RankBy::faces}, {"area", RankBy::area}, {"radius", RankBy::radius}},
                           "What makes a component large: faces, area or radius [faces]")
       ->group("Selection");
-  add_word_option<SurfaceKind>(app, "--surface", settings.surface,
-                               {{"all", SurfaceKind::all}, {"hull", SurfaceKind::hull}},
-                               "all: between all regions; hull: between the background and the rest [all]")
+  add_word_option<SurfaceKind>(
+      app, "--surface", settings.surface, {{"all", SurfaceKind::all}, {"hull", SurfaceKind::hull}},
+      "all: between all regions; hull: between the background with its furrows and the rest [all]")
       ->group("Selection");
   app.add_option("--seed", texts.seeds,
                  "X,Y,Z in mm: only the boundary of the region that holds this point; repeatable")
