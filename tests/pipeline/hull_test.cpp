@@ -42,10 +42,7 @@ std::vector<char> outside_among(const std::vector<Box> &boxes, float factor = 1)
     const BasinId box = box_at(p);
     volume.samples.push_back(box == 0 ? 0 : factor * boxes[box - 1].intensity);
   });
-  Regions regions;
-  regions.of_basin = labels.region_of_basin;
-  regions.maxima.resize(regions.of_basin.size());
-  const auto outside = find_outside_of_hull(labels.cells, volume, regions, 1);
+  const auto outside = find_outside_of_hull(labels.cells, volume, regions_of(labels), 1);
   EXPECT_EQ(outside[1], 1) << "the background";
   return {outside.begin() + 2, outside.end()};
 }

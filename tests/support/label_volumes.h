@@ -4,6 +4,7 @@
 #include "support/fields.h"
 
 #include "volsurf/surface/extract.h"
+#include "volsurf/topology/hierarchy.h"
 
 #include <numeric>
 
@@ -23,6 +24,18 @@ template <typename LabelAt> LabelledCells label_cells(const Index3 &size, BasinI
   for_each_sample(size, [&](const Index3 &p, CellId cell) { result.cells.basins[cell] = label_at(p); });
   std::iota(result.region_of_basin.begin(), result.region_of_basin.end(), RegionId{1});
   return result;
+}
+
+/// The same as a cut of a hierarchy tells, but for the maxima, which are no basins of it.
+inline Regions regions_of(const LabelledCells &labels)
+{
+  Regions regions;
+  regions.of_basin = labels.region_of_basin;
+  regions.maxima.resize(labels.region_of_basin.size());
+  regions.cell_counts.resize(labels.region_of_basin.size());
+  for (const BasinId basin : labels.cells.basins)
+    ++regions.cell_counts[labels.region_of_basin[basin] - 1];
+  return regions;
 }
 
 /// 1 .. max_size cells per axis, in 1 .. max_basins basins of noise or of blocks.

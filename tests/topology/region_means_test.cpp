@@ -24,11 +24,10 @@ struct Scene {
 Scene random_scene(Dice &dice, std::int64_t max_size)
 {
   Scene scene{random_cells(dice, max_size, 5), {}, {}};
+  scene.regions = regions_of(scene.labels);
   scene.volume.grid = grid_of(scene.labels.cells.size);
   for (std::int64_t i = 0; i < scene.volume.grid.sample_count(); ++i)
     scene.volume.samples.push_back(static_cast<float>(dice.between(-1000, 1000)));
-  scene.regions.of_basin = scene.labels.region_of_basin;
-  scene.regions.maxima.resize(scene.regions.of_basin.size());
   return scene;
 }
 

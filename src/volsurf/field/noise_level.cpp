@@ -70,7 +70,9 @@ struct Rows {
   std::int64_t count;
 };
 
-double standard_deviation(const Volume &volume)
+} // namespace
+
+double measure_sample_noise(const Volume &volume)
 {
   const Rows rows(volume);
   std::vector<float> values(static_cast<std::size_t>(rows.count * rows.x.positions));
@@ -86,11 +88,9 @@ double standard_deviation(const Volume &volume)
   return static_cast<double>(*middle) / kNormalMedian;
 }
 
-} // namespace
-
 NoiseLevel measure_noise(const Volume &volume, const EdgeField &field)
 {
-  const double deviation = standard_deviation(volume);
+  const double deviation = measure_sample_noise(volume);
   return {deviation, deviation * field.noise_gain()};
 }
 

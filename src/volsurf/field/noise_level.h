@@ -18,8 +18,12 @@ struct NoiseLevel {
   double gradient = 0; ///< s_g: of a component of the gradient, in intensity per mm; of an edge map the same as above
 };
 
-/// At most 2^20 samples, spread over the volume, are looked at; those where nothing at all changes (masked background,
-/// padding) are left out. Noise that is correlated over neighbouring samples is underestimated. O(samples looked at).
+/// That of the samples: at most 2^20 of them, spread over the volume, are looked at; those where nothing at all changes
+/// (masked background, padding) are left out. Noise that is correlated over neighbouring samples is underestimated.
+/// O(samples looked at).
+double measure_sample_noise(const Volume &volume);
+
+/// That and what the gradient makes of it. As above.
 NoiseLevel measure_noise(const Volume &volume, const EdgeField &field);
 
 } // namespace volsurf

@@ -1,6 +1,5 @@
 #include "volsurf/pipeline/choose_grid.h"
 
-#include "volsurf/core/timer.h"
 #include "volsurf/field/facing_walls.h"
 #include "volsurf/field/noise_level.h"
 #include "volsurf/field/oversample.h"
@@ -26,14 +25,12 @@ bool leaves_oversampling_to_scan(const Settings &settings, const Grid &scan)
     return false;
   if (has_thick_slices(scan) || scan.sample_count() > kMostSamplesToOversample)
     return false;
-  const std::uint64_t allowed = settings.max_memory_bytes.value_or(available_memory_bytes());
-  return expected_memory_bytes(oversampled_grid(scan, kFiner)) <= allowed;
+  return expected_memory_bytes(oversampled_grid(scan, kFiner)) <= allowed_memory_bytes(settings);
 }
 
 int choose_oversampling(const Volume &scan)
 {
-  const double noise = measure_noise(scan, EdgeField(scan, {})).volume;
-  return part_of_facing_walls(scan, noise) > kFolded ? kFiner : 1;
+  return part_of_facing_walls(scan, measure_sample_noise(scan)) > kFolded ? kFiner : 1;
 }
 
 } // namespace volsurf

@@ -13,6 +13,14 @@ namespace {
 constexpr std::size_t kMostStrong = 10;
 constexpr std::size_t kMostProminent = 15;
 
+/// As for a given delta, since the answers are for all of them: a scan's grid may depend on --delta auto.
+MergedVolume read_for_every_delta(Settings settings, const Progress &progress,
+                                  const std::function<void(const Grid &)> &found)
+{
+  settings.delta = DeltaValue{};
+  return read_input(settings, progress, found);
+}
+
 void require_walls(const Settings &settings, const Hierarchy &hierarchy)
 {
   if (!(hierarchy.largest_persistence() > 0))
@@ -107,18 +115,6 @@ BoundaryCurve boundary_curve(const RegionMerge &merge, const Grid &grid, const P
   ranks.joined_at = [&](BasinId a, BasinId b) { return joined_at_rank(hierarchy, a, b); };
   return find_boundary_curve(merge.cells, grid, ranks, progress);
 }
-
-namespace {
-
-/// As for a given delta, since the answers are for all of them: a scan's grid may depend on --delta auto.
-MergedVolume read_for_every_delta(Settings settings, const Progress &progress,
-                                  const std::function<void(const Grid &)> &found)
-{
-  settings.delta = DeltaValue{};
-  return read_input(settings, progress, found);
-}
-
-} // namespace
 
 Exploration explore(const Settings &settings, const Progress &progress, const std::function<void(const Grid &)> &found)
 {

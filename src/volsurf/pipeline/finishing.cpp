@@ -54,7 +54,7 @@ Finisher::Finisher(const Volume &volume, double sigma_mm, const Settings &settin
   if (!settings.snap || !(settings.smoothing.strength > 0) || settings.field.edge_map)
     return;
   volume_ = &volume;
-  noise_ = measure_noise(volume, EdgeField(volume, settings.field)).volume;
+  noise_ = measure_sample_noise(volume);
 }
 
 PlacementResult Finisher::place(Mesh &mesh)

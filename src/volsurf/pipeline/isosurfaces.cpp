@@ -16,7 +16,7 @@ namespace {
 Mesh surface_by_mesher(const Volume &volume, const Settings &settings, const Progress &progress)
 {
   CgalMesherOptions options;
-  options.most_memory_bytes = settings.max_memory_bytes.value_or(available_memory_bytes());
+  options.most_memory_bytes = allowed_memory_bytes(settings);
   try {
     return cgal_surface(volume, *settings.iso, options, progress);
   } catch (const InputError &error) {

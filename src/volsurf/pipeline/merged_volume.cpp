@@ -1,7 +1,6 @@
 #include "volsurf/pipeline/merged_volume.h"
 
 #include "volsurf/core/error.h"
-#include "volsurf/core/timer.h"
 #include "volsurf/field/median.h"
 #include "volsurf/field/oversample.h"
 #include "volsurf/pipeline/choose_grid.h"
@@ -17,7 +16,7 @@ namespace {
 void require_memory(const Settings &settings, const Grid &grid)
 {
   const std::uint64_t needed = expected_memory_bytes(grid, settings.method);
-  const std::uint64_t allowed = settings.max_memory_bytes.value_or(available_memory_bytes());
+  const std::uint64_t allowed = allowed_memory_bytes(settings);
   if (needed <= allowed)
     return;
   std::ostringstream message;

@@ -15,7 +15,7 @@ struct Selection {
 
 /// The regions and sides that --surface, --seed, --region and --min-volume ask for. Throws UsageError where a seed lies
 /// outside the volume or a region does not exist, and EmptyResult where nothing is as large as --min-volume. O(basins),
-/// with a hull of large islands O(cells).
+/// for a hull O(cells).
 Selection select_sides(const Settings &settings, const Volume &volume, const Grid &grid, const RegionMerge &merge,
                        const Regions &regions, RegionId background);
 

@@ -1,5 +1,7 @@
 #include "volsurf/pipeline/settings.h"
 
+#include "volsurf/core/timer.h"
+
 #include <sstream>
 
 namespace volsurf {
@@ -70,6 +72,11 @@ std::string split_text(Split split)
     break;
   }
   return "none";
+}
+
+std::uint64_t allowed_memory_bytes(const Settings &settings)
+{
+  return settings.max_memory_bytes.value_or(available_memory_bytes());
 }
 
 std::string describe(const Settings &settings, double delta)

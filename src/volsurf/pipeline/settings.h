@@ -59,6 +59,9 @@ struct Settings {
   std::optional<std::uint64_t> max_memory_bytes; ///< not set: what is available
 };
 
+/// What a run may take: --max-memory, or what is available now.
+std::uint64_t allowed_memory_bytes(const Settings &settings);
+
 /// The options that decide the result, as a command line would give them, with the delta that was used: the provenance
 /// of the outputs. Threads and file names are left out, so that they do not show in the bytes.
 std::string describe(const Settings &settings, double delta);

@@ -77,48 +77,52 @@ struct AxisWeights {
   Lanes weights{};
 };
 
-/// Weighted sums over samples g and the parts h of their voxels that are inside: those that a straight line needs.
-struct LineSums {
+/// Weighted sums over samples g and the parts h of their voxels that are inside: those that both means need.
+struct Sums {
   Lanes w{};
   Lanes h{};
   Lanes g{};
+
+  void add(int lane, float weight, float part, float sample)
+  {
+    w[lane] += weight;
+    h[lane] += weight * part;
+    g[lane] += weight * sample;
+  }
+};
+
+/// Those that a straight line needs.
+struct LineSums : Sums {
   Lanes hh{};
   Lanes hg{};
   Lanes gg{};
 
   void add(int lane, float weight, float part, float sample)
   {
-    w[lane] += weight;
-    h[lane] += weight * part;
-    g[lane] += weight * sample;
+    Sums::add(lane, weight, part, sample);
     hh[lane] += weight * part * part;
     hg[lane] += weight * part * sample;
     gg[lane] += weight * sample * sample;
   }
 };
 
-/// And those that a mean needs, with its sd.
-struct MeanSums {
-  Lanes w{};
+/// And those that the sd of a mean needs.
+struct MeanSums : Sums {
   Lanes ww{};
-  Lanes h{};
-  Lanes g{};
 
   void add(int lane, float weight, float part, float sample)
   {
-    w[lane] += weight;
+    Sums::add(lane, weight, part, sample);
     ww[lane] += weight * weight;
-    h[lane] += weight * part;
-    g[lane] += weight * sample;
   }
 };
 
-template <typename Sums> Sums sums_around(const Vec3 &place, double sigma, const ScanModel &model)
+template <typename AllSums> AllSums sums_around(const Vec3 &place, double sigma, const ScanModel &model)
 {
   const AxisWeights x(place[0], 0, model.window, sigma);
   const AxisWeights y(place[1], 1, model.window, sigma);
   const AxisWeights z(place[2], 2, model.window, sigma);
-  Sums sums;
+  AllSums sums;
   for (int k = 0; k <= 2 * kReach; ++k)
     for (int j = 0; j <= 2 * kReach; ++j) {
       const float weight = y.weights[j] * z.weights[k];

@@ -2,7 +2,10 @@
 
 #include "volsurf/core/parallel.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace volsurf {
 
@@ -10,24 +13,37 @@ namespace {
 
 constexpr std::int64_t kSlabs = 8; // as few as keep threads busy: each has sums for all regions
 
-/// Per region a sum, how many numbers are in it, and how many of these are special.
-struct Sums {
-  explicit Sums(std::size_t regions) : sum(regions), count(regions), special(regions) {}
+template <typename Number> void add_up(std::vector<Number> &total, const std::vector<Number> &part)
+{
+  std::transform(part.begin(), part.end(), total.begin(), total.begin(), std::plus<>());
+}
 
-  void add(RegionId region, double number, bool is_special = false)
+/// Per region, what its faces with other regions say.
+struct FaceSums {
+  explicit FaceSums(std::size_t regions) : means(regions), faces(regions), faces_with_one(regions) {}
+
+  void add(RegionId region, double mean, bool is_one)
   {
-    sum[region] += number;
-    ++count[region];
-    special[region] += is_special ? 1 : 0;
+    means[region] += mean;
+    ++faces[region];
+    faces_with_one[region] += is_one ? 1 : 0;
   }
 
-  std::vector<double> sum;
-  std::vector<std::int64_t> count;
-  std::vector<std::int64_t> special;
+  std::vector<double> means;
+  std::vector<std::int64_t> faces;
+  std::vector<std::int64_t> faces_with_one;
 };
 
-/// Calls add_plane(z, sums) for all planes of cells, on all threads, and adds up the sums.
-template <typename AddPlane> Sums sum_over_planes(std::int64_t planes, std::size_t regions, const AddPlane &add_plane)
+void add_up(FaceSums &total, const FaceSums &part)
+{
+  add_up(total.means, part.means);
+  add_up(total.faces, part.faces);
+  add_up(total.faces_with_one, part.faces_with_one);
+}
+
+/// Sums per region, 0 at first, to which add_plane(z, sums) has added all planes of cells, on all threads.
+template <typename Sums, typename AddPlane>
+Sums sum_over_planes(std::int64_t planes, std::size_t regions, const AddPlane &add_plane)
 {
   const std::int64_t planes_per_slab = (planes + kSlabs - 1) / kSlabs;
   std::vector<Sums> of_slab(static_cast<std::size_t>(slab_count(planes, planes_per_slab)), Sums(0));
@@ -39,24 +55,25 @@ template <typename AddPlane> Sums sum_over_planes(std::int64_t planes, std::size
   });
   Sums total(regions);
   for (const Sums &sums : of_slab)
-    for (std::size_t region = 0; region < regions; ++region) {
-      total.sum[region] += sums.sum[region];
-      total.count[region] += sums.count[region];
-      total.special[region] += sums.special[region];
-    }
+    add_up(total, sums);
   return total;
 }
 
 /// Adds the intensities of one row of cells; `rows` are those of its corners' samples.
 void add_row(const BasinId *basins, std::int64_t count, const std::array<const float *, 4> &rows,
-             const std::vector<RegionId> &region_of_basin, Sums &sums)
+             const std::vector<RegionId> &region_of_basin, std::vector<double> &sums)
 {
   const auto corners = [&](std::int64_t x) { return rows[0][x] + rows[1][x] + rows[2][x] + rows[3][x]; };
   float low = corners(0);
-  for (std::int64_t x = 0; x < count; ++x) {
-    const float high = corners(x + 1);
-    sums.add(region_of_basin[basins[x]], static_cast<double>(low + high) / 8);
-    low = high;
+  for (std::int64_t x = 0; x < count;) {
+    const BasinId basin = basins[x];
+    double sum = 0; // of a run of cells, in a register
+    for (; x < count && basins[x] == basin; ++x) {
+      const float high = corners(x + 1);
+      sum += static_cast<double>(low + high);
+      low = high;
+    }
+    sums[region_of_basin[basin]] += sum / 8;
   }
 }
 
@@ -67,16 +84,16 @@ std::vector<double> region_means(const CellLabels &cells, const Volume &volume, 
   const auto &[nx, ny, nz] = cells.size;
   const std::int64_t row = volume.grid.size[0];
   const std::int64_t plane = row * volume.grid.size[1];
-  const Sums sums = sum_over_planes(nz, regions.count() + 1, [&, nx = nx, ny = ny](std::int64_t z, Sums &part) {
-    for (std::int64_t y = 0; y < ny; ++y) {
-      const float *const first = volume.samples.data() + row * y + plane * z;
-      add_row(cells.basins.data() + nx * (y + ny * z), nx, {first, first + row, first + plane, first + row + plane},
-              regions.of_basin, part);
-    }
-  });
-  std::vector<double> means(regions.count() + 1);
+  auto means = sum_over_planes<std::vector<double>>(
+      nz, regions.count() + 1, [&, nx = nx, ny = ny](std::int64_t z, std::vector<double> &sums) {
+        for (std::int64_t y = 0; y < ny; ++y) {
+          const float *const first = volume.samples.data() + row * y + plane * z;
+          add_row(cells.basins.data() + nx * (y + ny * z), nx, {first, first + row, first + plane, first + row + plane},
+                  regions.of_basin, sums);
+        }
+      });
   for (RegionId region = 1; region < means.size(); ++region)
-    means[region] = sums.sum[region] / static_cast<double>(sums.count[region]);
+    means[region] /= static_cast<double>(regions.cell_counts[region - 1]);
   return means;
 }
 
@@ -84,29 +101,33 @@ Surroundings surroundings_of(const CellLabels &cells, const Regions &regions, co
                              RegionId one)
 {
   const auto &[nx, ny, nz] = cells.size;
-  const std::array<std::int64_t, 3> steps{1, nx, nx * ny};
-  const Sums sums = sum_over_planes(nz, means.size(), [&, nx = nx, ny = ny](std::int64_t z, Sums &part) {
-    const BasinId *cell = cells.basins.data() + nx * ny * z;
-    for (std::int64_t y = 0; y < ny; ++y)
-      for (std::int64_t x = 0; x < nx; ++x, ++cell) {
-        const RegionId region = regions.of_basin[*cell];
-        const std::array<bool, 3> has_lower{x > 0, y > 0, z > 0};
-        for (int axis = 0; axis < 3; ++axis) {
-          const RegionId lower = has_lower[axis] ? regions.of_basin[*(cell - steps[axis])] : region;
-          if (lower == region)
-            continue;
-          part.add(region, means[lower], lower == one);
-          part.add(lower, means[region], region == one);
-        }
-      }
+  const auto add_faces = [&](const BasinId *row, const BasinId *lower_row, std::int64_t count, FaceSums &sums) {
+    for (std::int64_t x = 0; x < count; ++x) {
+      const RegionId region = regions.of_basin[row[x]];
+      const RegionId lower = regions.of_basin[lower_row[x]];
+      if (lower == region)
+        continue;
+      sums.add(region, means[lower], lower == one);
+      sums.add(lower, means[region], region == one);
+    }
+  };
+  const auto sums = sum_over_planes<FaceSums>(nz, means.size(), [&, nx = nx, ny = ny](std::int64_t z, FaceSums &part) {
+    for (std::int64_t y = 0; y < ny; ++y) {
+      const BasinId *const row = cells.basins.data() + nx * (y + ny * z);
+      add_faces(row + 1, row, nx - 1, part);
+      if (y > 0)
+        add_faces(row, row - nx, nx, part);
+      if (z > 0)
+        add_faces(row, row - nx * ny, nx, part);
+    }
   });
   Surroundings around{means, std::vector<double>(means.size())};
   for (RegionId region = 1; region < means.size(); ++region) {
-    const auto faces = static_cast<double>(sums.count[region]);
+    const auto faces = static_cast<double>(sums.faces[region]);
     if (!(faces > 0))
       continue;
-    around.means[region] = sums.sum[region] / faces;
-    around.parts[region] = static_cast<double>(sums.special[region]) / faces;
+    around.means[region] = sums.means[region] / faces;
+    around.parts[region] = static_cast<double>(sums.faces_with_one[region]) / faces;
   }
   return around;
 }
