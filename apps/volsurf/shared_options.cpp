@@ -37,7 +37,7 @@ void add_field_options(CLI::App &app, Settings &settings, SharedTexts &texts)
       ->check(CLI::Range(1, kLargestOversampling));
   app.add_option("--sigma", settings.field.sigma_mm,
                  "Gaussian for the gradient in mm; 0: central differences [the geometric mean of the spacings, with "
-                 "--oversample 2 0.75 of it]")
+                 "--oversample 2 0.65 of it]")
       ->group("Field");
   app.add_flag("--edge-map", settings.field.edge_map,
                "The input is an edge strength already (a gradient magnitude, a network's boundary map)")

@@ -104,7 +104,7 @@ TEST_F(SavedHierarchy, OfAFinerGridCutsAsTheScanDoes)
 TEST_F(SavedHierarchy, OfAFinerGridTakesNoOther)
 {
   save(ball() + " --delta 2 --oversample 2");
-  expect_refused("scan.volsurf --delta 2 --oversample 1", 2, {"made with --oversample 2 --sigma 0.75 --exterior none"});
+  expect_refused("scan.volsurf --delta 2 --oversample 1", 2, {"made with --oversample 2 --sigma 0.65 --exterior none"});
   EXPECT_EQ(run("scan.volsurf --delta 2 --oversample 2").exit_code, 0);
 }
 

@@ -203,7 +203,7 @@ TEST_F(ReportFile, TellsOptionsAsUsed)
   EXPECT_EQ(options["oversampling"], 1);
   const json finer = report(ball() + " --delta 2 --oversample 2")["options"];
   EXPECT_EQ(finer["oversampling"], 2);
-  EXPECT_EQ(finer["sigma_mm"], 0.75) << "three quarters of the scan's voxel";
+  EXPECT_EQ(finer["sigma_mm"], 0.65) << "of the scan's voxel";
   EXPECT_EQ(finer["iterations"], 60);
   EXPECT_EQ(report(ball() + " --delta 2 --threads 1")["options"]["threads"], 1);
 }

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <limits>
 
 using namespace volsurf;
@@ -73,6 +75,35 @@ TEST(FitMesh, FindsADarkBodyAsWell)
   Mesh mesh = staircase(distance_to_ball);
   fit_mesh(mesh, scan, scan.grid, 0);
   EXPECT_LT(ball_error(mesh), 0.05);
+}
+
+TEST(FitMesh, PutsAWallOverALayerWhereItIs)
+{
+  constexpr double kLayer = 1.5; // voxels
+  const auto distance_to_core = [](const Vec3 &p) { return distance_to_ball(p) + kLayer; };
+  Volume scan = scan_of_body(kSize, distance_to_ball);
+  const Volume core = scan_of_body(kSize, distance_to_core, 0, 80);
+  std::transform(scan.samples.begin(), scan.samples.end(), core.samples.begin(), scan.samples.begin(), std::plus<>());
+  Mesh mesh = staircase(distance_to_ball);
+  Mesh mesh_of_several = mesh; // as the merge finds the core and what is around it
+  for (std::size_t triangle = 0; triangle < mesh.region_a.size(); triangle += 2)
+    mesh_of_several.region_a[triangle] += 2;
+  fit_mesh(mesh, scan, scan.grid, 0);
+  fit_mesh(mesh_of_several, scan, scan.grid, 0);
+  EXPECT_LT(ball_error(mesh_of_several), 0.06);
+  EXPECT_GT(ball_error(mesh), 0.1) << "or the scan has no layer worth its name";
+}
+
+TEST(FitMesh, IsMovedLessByImpulsesThanTheyAreWorth)
+{
+  Volume scan = scan_of_body(kSize, distance_to_ball);
+  Dice dice(7);
+  for (float &sample : scan.samples)
+    if (dice.one_in(50))
+      sample = dice.one_in(2) ? 100 : 200;
+  Mesh mesh = staircase(distance_to_ball);
+  fit_mesh(mesh, scan, scan.grid, 0);
+  EXPECT_LT(ball_error(mesh), 0.135); // 0.151 where they count in full
 }
 
 TEST(FitMesh, FindsBothWallsOfAPlateThinnerThanTwoVoxels)

@@ -61,10 +61,10 @@ Difference difference_at(std::int64_t i, std::int64_t size, double spacing_mm)
   return {low, high, static_cast<float>(1.0 / (static_cast<double>(high - low) * spacing_mm))};
 }
 
-/// On a finer grid three quarters of a voxel are enough for the merge, and thin folds need no more.
+/// On a finer grid two thirds of a voxel are enough for the merge, and thin folds need no more.
 double usual_sigma_mm(const Grid &grid)
 {
-  return (grid.oversampling == 1 ? 1.0 : 0.75 * grid.oversampling) * mean_spacing_mm(grid);
+  return (grid.oversampling == 1 ? 1.0 : 0.65 * grid.oversampling) * mean_spacing_mm(grid);
 }
 
 double checked_sigma_mm(const Grid &grid, const FieldOptions &options)

@@ -24,7 +24,7 @@ public:
   /// Smooths only. Keeps references to both; `grid` is that of the cells' corners.
   Finisher(const Grid &grid, const Settings &settings) : grid_(grid), settings_(settings) {}
 
-  /// Throws as smooth_mesh(). Takes 8 bytes per sample of the box around the mesh where that encloses one thing;
+  /// Throws as smooth_mesh(). Takes 15 bytes per sample of the box around the mesh where that encloses one thing;
   /// otherwise the volume is blurred for it, the first time, which takes 4 bytes per sample and is kept.
   Finishing finish(Mesh &mesh);
 

@@ -33,7 +33,7 @@ bool encloses_one_thing(const Mesh &mesh);
 /// `mesh` must enclose one thing. No point moves further than kSnapLimitVoxels, on a finer grid so many times as far.
 /// `volume` may be oversampled: only the samples of `scan`, its own grid, are looked at. `noise` is the standard
 /// deviation in a sample, `least_error` how far off a point counts as at least, in voxels of the scan. O(rounds *
-/// (points + samples near the mesh)); takes 8 bytes per sample of the box around the mesh.
+/// (points + samples near the mesh)); takes 15 bytes per sample of the box around the mesh.
 PlacementResult fit_mesh(Mesh &mesh, const Volume &volume, const Grid &scan, double noise,
                          double least_error = kLeastFitError);
 

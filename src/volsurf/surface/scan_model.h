@@ -1,22 +1,26 @@
-// What a closed surface says of the scan around it, and how far that is from what the scan is.
+// A scan, and what a closed surface makes of it: of each voxel the part that is inside, and the part that is beyond a
+// layer next to the surface.
 //
-// Of each voxel the surface tells the part that is inside. Near a wall the samples are a straight line over that part,
-// whose two ends are the intensities outside and inside; what they have more or less than the line says moves the wall.
-//
-// In: samples, and the parts of voxels (voxel_shares.h), of a window of the scan. Places are fractional indices in the
-// window. Weights are Gaussians in voxels, cut at three voxels. The outermost samples of a scan weigh nothing, since
-// the caps of surfaces cut their voxels in two.
+// In: samples of a window of the scan; a mesh. Places are fractional indices in the window.
 #pragma once
 
 #include "volsurf/core/mesh.h"
 #include "volsurf/core/volume.h"
 
-#include <optional>
+#include <cstdint>
+#include <vector>
 
 namespace volsurf {
 
 /// Of all samples of a scan those in a box.
 struct Window {
+  /// The outermost samples of a scan do not count, since the caps of surfaces cut their voxels in two.
+  std::int64_t first_that_counts(int axis) const { return begin[axis] == 0 ? 1 : 0; }
+  std::int64_t end_of_those_that_count(int axis) const
+  {
+    return grid.size[axis] - (begin[axis] + grid.size[axis] == of_scan[axis] ? 1 : 0);
+  }
+
   Index3 begin{0, 0, 0};
   Grid grid;      ///< of the window
   Index3 of_scan; ///< samples of the whole scan
@@ -26,44 +30,38 @@ struct Window {
 struct PaddedRows {
   static constexpr std::int64_t kPadding = 8;
 
-  const float *row(std::int64_t y, std::int64_t z) const
+  explicit PaddedRows(const Index3 &size);
+
+  const float *row(std::int64_t y, std::int64_t z) const { return values.data() + begin_of(y, z); }
+  float *row(std::int64_t y, std::int64_t z) { return values.data() + begin_of(y, z); }
+
+  std::int64_t begin_of(std::int64_t y, std::int64_t z) const
   {
-    return values.data() + (z * size[1] + y) * (size[0] + 2 * kPadding) + kPadding;
+    return (z * size[1] + y) * (size[0] + 2 * kPadding) + kPadding;
   }
 
   Index3 size;
   std::vector<float> values;
 };
 
-/// A scan, and what a surface makes of it. Takes 8 bytes per sample.
+/// On which side of a surface a layer next to it may be of another intensity than what is beyond.
+enum class LayeredSide { none, inside, outside };
+
+/// Takes 12 bytes per sample.
 struct ScanModel {
-  /// Without shares yet. Of a volume that may be oversampled the scan's own samples are taken.
-  ScanModel(const Window &window, const Volume &volume);
+  /// Without a surface yet. Of a volume that may be oversampled the scan's own samples are taken.
+  ScanModel(const Window &window, const Volume &volume, LayeredSide layered_side);
 
   void set_surface(const Mesh &mesh);
 
   Window window;
+  LayeredSide layered_side;
   PaddedRows samples;
-  PaddedRows shares;
+  PaddedRows shares; ///< 0 .. 1: the part of a voxel that is inside (voxel_shares.h)
+
+  /// The least part on the layered side of a voxel and the 26 around it: 0 up to half a voxel from the surface, 1 from
+  /// a voxel further on. 0 where no side is layered.
+  PaddedRows beyond_shares;
 };
-
-/// The intensities that fit best on the two sides of a wall.
-struct Contrast {
-  double outside = 0;
-  double step = 0;      ///< inside less outside
-  double left_over = 0; ///< sd of the samples from the line
-};
-
-/// By linear regression over the samples around; nothing where no wall is near, or the scan is flat.
-std::optional<Contrast> contrast_around(const Vec3 &place, const ScanModel &model);
-
-/// How far out the wall at a place should be, and the sd of that, both in voxels.
-struct Mismatch {
-  double way = 0;   ///< at most 1
-  double error = 0; ///< at most 3
-};
-
-/// From the samples next to a place on the surface, each with the sd `noise`. Nothing where there is none.
-std::optional<Mismatch> mismatch_at(const Vec3 &place, const Contrast &contrast, double noise, const ScanModel &model);
 
 } // namespace volsurf
