@@ -79,7 +79,7 @@ TEST(FitMesh, FindsADarkBodyAsWell)
 
 TEST(FitMesh, PutsAWallOverALayerWhereItIs)
 {
-  constexpr double kLayer = 1.5; // voxels
+  constexpr double kLayer = 1.25; // voxels
   const auto distance_to_core = [](const Vec3 &p) { return distance_to_ball(p) + kLayer; };
   Volume scan = scan_of_body(kSize, distance_to_ball);
   const Volume core = scan_of_body(kSize, distance_to_core, 0, 80);
@@ -90,8 +90,8 @@ TEST(FitMesh, PutsAWallOverALayerWhereItIs)
     mesh_of_several.region_a[triangle] += 2;
   fit_mesh(mesh, scan, scan.grid, 0);
   fit_mesh(mesh_of_several, scan, scan.grid, 0);
-  EXPECT_LT(ball_error(mesh_of_several), 0.06);
-  EXPECT_GT(ball_error(mesh), 0.1) << "or the scan has no layer worth its name";
+  EXPECT_LT(ball_error(mesh_of_several), 0.08);
+  EXPECT_GT(ball_error(mesh), 0.3) << "or the scan has no layer worth its name";
 }
 
 TEST(FitMesh, IsMovedLessByImpulsesThanTheyAreWorth)

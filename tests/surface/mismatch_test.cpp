@@ -24,7 +24,7 @@ Mesh box_up_to(double x)
 ScanModel model_of_boxes(double x_of_scan, double x_of_surface)
 {
   const Volume blank{cube(kSize), std::vector<float>(kSize * kSize * kSize)};
-  ScanModel model({{0, 0, 0}, blank.grid, blank.grid.size}, blank, LayeredSide::none);
+  ScanModel model({{0, 0, 0}, blank.grid, blank.grid.size}, blank, Inside::uniform);
   model.set_surface(box_up_to(x_of_scan));
   for (std::size_t i = 0; i < model.samples.values.size(); ++i)
     model.samples.values[i] = static_cast<float>(kContrast.outside + kContrast.step * model.shares.values[i]);

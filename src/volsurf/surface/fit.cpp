@@ -58,15 +58,13 @@ Window window_around(const PlacementMesh &placement, const Grid &scan)
   return window;
 }
 
-/// The side that the merge found to be of several regions. If both are, the inside: a hull's furrows are such, too.
-LayeredSide layered_side_of(const Mesh &mesh)
+/// Layered where the merge found several regions.
+Inside inside_of(const Mesh &mesh)
 {
-  const auto has_several = [](const std::vector<RegionId> &regions) {
-    return std::any_of(regions.begin(), regions.end(), [&](RegionId region) { return region != regions.front(); });
-  };
-  if (has_several(mesh.region_a))
-    return LayeredSide::inside;
-  return has_several(mesh.region_b) ? LayeredSide::outside : LayeredSide::none;
+  const std::vector<RegionId> &regions = mesh.region_a;
+  const bool has_several =
+      std::any_of(regions.begin(), regions.end(), [&](RegionId region) { return region != regions.front(); });
+  return has_several ? Inside::layered : Inside::uniform;
 }
 
 /// The mesh on its way. Places are in units of the grid's smallest spacing.
@@ -74,7 +72,7 @@ class Fit {
 public:
   Fit(const PlacementMesh &placement, const Volume &volume, const Grid &scan, double noise, double least_error)
       : placement_(placement), unit_mm_(smallest_spacing_mm(placement.grid)), least_error_(least_error), noise_(noise),
-        moving_(placement.mesh), model_(window_around(placement, scan), volume, layered_side_of(placement.mesh)),
+        moving_(placement.mesh), model_(window_around(placement, scan), volume, inside_of(placement.mesh)),
         known_(placement.positions.size())
   {
   }

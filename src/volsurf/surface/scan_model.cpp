@@ -26,26 +26,22 @@ void copy_samples(const Volume &volume, const Window &window, PaddedRows *rows)
   });
 }
 
-/// A part inside, and what that is on the layered side.
-struct Side {
-  float base;
-  float sign;
-};
-
-VOLSURF_VECTORISE void take_least(const float *parts, std::int64_t count, Side side, float *least)
+VOLSURF_VECTORISE void take_least(const float *parts, std::int64_t count, float *least)
 {
   for (std::int64_t x = 0; x < count; ++x)
-    least[x] = std::min(least[x], side.base + side.sign * parts[x]);
+    least[x] = std::min(least[x], parts[x]);
 }
 
-VOLSURF_VECTORISE void least_of_three(const float *parts, std::int64_t count, float *least)
+/// Of `wide` three parts in a row count, of `narrow` one.
+VOLSURF_VECTORISE void combine_least(const float *wide, const float *narrow, std::int64_t count, float *least)
 {
   for (std::int64_t x = 0; x < count; ++x)
-    least[x] = std::min(parts[x - 1], std::min(parts[x], parts[x + 1]));
+    least[x] = std::min(std::min(narrow[x], wide[x]), std::min(wide[x - 1], wide[x + 1]));
 }
 
-/// Of each sample that counts the least part on a side, of itself and those of the 26 around it that count.
-void find_least_parts(const PaddedRows &shares, const Window &window, Side side, PaddedRows *least)
+/// Of each sample that counts the least part inside, of itself and those of the 18 around it that count. With all 26
+/// the layer is thicker, and the brain of the study's head up to a tenth further off.
+void find_least_parts(const PaddedRows &shares, const Window &window, PaddedRows *least)
 {
   const auto first = [&](int axis) { return window.first_that_counts(axis); };
   const auto end = [&](int axis) { return window.end_of_those_that_count(axis); };
@@ -53,14 +49,16 @@ void find_least_parts(const PaddedRows &shares, const Window &window, Side side,
   if (count <= 0)
     return;
   parallel_for_slabs(std::max<std::int64_t>(end(2) - first(2), 0), 1, [&](const Slab &slab) {
-    std::vector<float> row(static_cast<std::size_t>(count) + 2);
+    std::vector<float> wide(static_cast<std::size_t>(count) + 2);
+    std::vector<float> narrow(wide.size());
     for (std::int64_t z = first(2) + slab.begin; z < first(2) + slab.end; ++z)
       for (std::int64_t y = first(1); y < end(1); ++y) {
-        std::fill(row.begin(), row.end(), 1.0F);
+        std::fill(wide.begin(), wide.end(), 1.0F);
+        std::fill(narrow.begin(), narrow.end(), 1.0F);
         for (std::int64_t k = std::max(z - 1, first(2)); k < std::min(z + 2, end(2)); ++k)
           for (std::int64_t j = std::max(y - 1, first(1)); j < std::min(y + 2, end(1)); ++j)
-            take_least(shares.row(j, k) + first(0), count, side, row.data() + 1);
-        least_of_three(row.data() + 1, count, least->row(y, z) + first(0));
+            take_least(shares.row(j, k) + first(0), count, (j != y && k != z ? narrow : wide).data() + 1);
+        combine_least(wide.data() + 1, narrow.data() + 1, count, least->row(y, z) + first(0));
       }
   });
 }
@@ -71,8 +69,8 @@ PaddedRows::PaddedRows(const Index3 &s) : size(s), values(static_cast<std::size_
 {
 }
 
-ScanModel::ScanModel(const Window &w, const Volume &volume, LayeredSide layered)
-    : window(w), layered_side(layered), samples(w.grid.size), shares(w.grid.size), beyond_shares(w.grid.size)
+ScanModel::ScanModel(const Window &w, const Volume &volume, Inside i)
+    : window(w), inside(i), samples(w.grid.size), shares(w.grid.size), beyond_shares(w.grid.size)
 {
   copy_samples(volume, window, &samples);
 }
@@ -81,10 +79,8 @@ void ScanModel::set_surface(const Mesh &mesh)
 {
   shares.values = {}; // the last ones make room first
   shares.values = voxel_shares(mesh, window.grid, PaddedRows::kPadding);
-  if (layered_side == LayeredSide::inside)
-    find_least_parts(shares, window, {0, 1}, &beyond_shares);
-  if (layered_side == LayeredSide::outside)
-    find_least_parts(shares, window, {1, -1}, &beyond_shares);
+  if (inside == Inside::layered)
+    find_least_parts(shares, window, &beyond_shares);
 }
 
 } // namespace volsurf

@@ -44,23 +44,23 @@ struct PaddedRows {
   std::vector<float> values;
 };
 
-/// On which side of a surface a layer next to it may be of another intensity than what is beyond.
-enum class LayeredSide { none, inside, outside };
+/// What a surface goes around: one intensity, or a layer next to the surface and another one beyond that.
+enum class Inside { uniform, layered };
 
 /// Takes 12 bytes per sample.
 struct ScanModel {
   /// Without a surface yet. Of a volume that may be oversampled the scan's own samples are taken.
-  ScanModel(const Window &window, const Volume &volume, LayeredSide layered_side);
+  ScanModel(const Window &window, const Volume &volume, Inside inside);
 
   void set_surface(const Mesh &mesh);
 
   Window window;
-  LayeredSide layered_side;
+  Inside inside;
   PaddedRows samples;
   PaddedRows shares; ///< 0 .. 1: the part of a voxel that is inside (voxel_shares.h)
 
-  /// The least part on the layered side of a voxel and the 26 around it: 0 up to half a voxel from the surface, 1 from
-  /// a voxel further on. 0 where no side is layered.
+  /// The least part inside of a voxel and the 18 that share a face or an edge with it: 0 up to half a voxel inside, 1
+  /// from a voxel further on. 0 everywhere where the inside is uniform.
   PaddedRows beyond_shares;
 };
 

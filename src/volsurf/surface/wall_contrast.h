@@ -1,10 +1,10 @@
 // The intensities on the two sides of a wall, from the samples around.
 //
-// Near a wall a scan is one intensity outside and another inside, and on one of the sides it may be a third beyond a
-// layer next to the wall: grey matter is a layer over white matter, skin over fat. A sample is a mixture of the three
-// by the parts that its voxel has of them, so linear regression over the parts tells them. Without the third the
-// layer's intensity is drawn to what lies beyond, and the wall with it: on the study's head by a tenth of a voxel. With
-// a layer on both sides little would hold the wall: it would stay wherever it is.
+// Near a wall a scan is one intensity outside and another inside, and inside it may be a third beyond a layer next to
+// the wall: grey matter is a layer over white matter, skin over fat. A sample is a mixture of the three by the parts
+// that its voxel has of them, so linear regression over the parts tells them. Without the third the layer's intensity
+// is drawn to what lies beyond, and the wall with it: on the study's head by a tenth of a voxel. Outside there is no
+// layer: with one on both sides little would hold the wall, and with one there alone white matter grows spikes.
 //
 // In: a scan model with a surface. Out: at any place the intensities. Guarantees: no thread count changes a byte.
 // Passes: the sums that a regression needs, over blocks of samples; the sums blurred across blocks, along each axis; at
@@ -23,7 +23,7 @@ namespace volsurf {
 struct Contrast {
   double outside = 0;   ///< next to the wall
   double step = 0;      ///< inside, next to the wall, less outside
-  double beyond = 0;    ///< on the layered side, beyond the layer less within it
+  double beyond = 0;    ///< beyond a layer inside less within it
   double left_over = 0; ///< sd of the samples from the mixture
 };
 
