@@ -169,7 +169,8 @@ void study(const Arguments &arguments)
 
   const EdgeField field(scan, merged.field);
   const Hierarchy &hierarchy = merged.merge.hierarchy;
-  const DeltaAdvice advice = advise_on_delta(merged, field);
+  const DeltaAdvice advice =
+      advise_on_delta(merged, field, arguments.seed_mm.empty() ? SurfaceKind::hull : SurfaceKind::all);
   if (advice.candidates.empty())
     throw EmptyResult(arguments.scan.string() + ": found no wall that stands out");
   const DiceCurve curve = compare(merged, truth, arguments.seed_mm);
@@ -179,6 +180,7 @@ void study(const Arguments &arguments)
                               {"noise", advice.noise.volume},
                               {"noise_in_gradient", advice.noise.gradient},
                               {"noise_floor", advice.noise_floor},
+                              {"place", advice.place_in_gap},
                               {"largest_persistence", hierarchy.largest_persistence()},
                               {"candidates", candidates_of(advice, hierarchy, curve)},
                               {"best", best_of(curve, hierarchy)},

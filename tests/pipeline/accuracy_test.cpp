@@ -27,7 +27,8 @@ double distance_to_sphere(const Vec3 &p)
 /// As `volsurf --surface hull --keep 1`.
 Mesh hull_of(const Volume &volume)
 {
-  const Settings settings;
+  Settings settings;
+  settings.surface = SurfaceKind::hull;
   MergedVolume merged;
   merged.input.volume = volume;
   merge_input(merged);

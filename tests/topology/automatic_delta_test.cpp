@@ -109,6 +109,21 @@ TEST(FindDeltaCandidates, TheBestIsInTheWidestGapBetweenLargeRegionsWhateverSpec
   EXPECT_EQ(candidates.front().regions, 4U);
 }
 
+TEST(FindDeltaCandidates, AnotherPlaceInTheGapsMovesDeltaAlone)
+{
+  const auto middles = find_delta_candidates(organ(), 0.1, 5);
+  const auto highs = find_delta_candidates(organ(), 0.1, 5, 0.85);
+  ASSERT_EQ(highs.size(), middles.size());
+  for (std::size_t i = 0; i < highs.size(); ++i) {
+    EXPECT_EQ(highs[i].low, middles[i].low);
+    EXPECT_EQ(highs[i].high, middles[i].high);
+    EXPECT_EQ(highs[i].width, middles[i].width);
+    EXPECT_GT(highs[i].delta, middles[i].delta);
+    EXPECT_LE(highs[i].delta, highs[i].high);
+  }
+  EXPECT_EQ(highs.front().delta, 37); // 10 * 4.7^0.85 is 37.3
+}
+
 TEST(FindDeltaCandidates, FollowTheUnitOfIntensity)
 {
   const auto expected = find_delta_candidates(organ(), 1, 5);

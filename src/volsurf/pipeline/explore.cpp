@@ -137,7 +137,7 @@ Exploration explore(const Settings &settings, const Progress &progress, const st
   exploration.non_finite_gradients = merged.non_finite_gradients;
   timer.lap("gradient and merge");
   require_walls(settings, merged.merge.hierarchy);
-  exploration.advice = advise_on_delta(merged, field);
+  exploration.advice = advise_on_delta(merged, field, settings.surface);
   timer.lap("delta");
 
   merged.input.volume.samples = {};

@@ -26,7 +26,7 @@ constexpr double kStandsOut = 1.25;
 /// The search ends this far below the strongest wall: so weak a wall beside it is texture.
 constexpr double kLargestRatio = 16;
 
-/// By how much a candidate may leave the middle of its gap for the sake of few digits.
+/// By how much a candidate may leave its place in the gap for the sake of few digits.
 constexpr double kRounding = 1.05;
 
 /// The largest persistence of the merges of at least `cells`; 0 where there is none.
@@ -84,10 +84,10 @@ std::vector<DeltaCandidate> widest_first(std::vector<DeltaCandidate> gaps)
   return gaps;
 }
 
-double middle_of(const DeltaCandidate &gap)
+double short_number_in(const DeltaCandidate &gap, double place)
 {
-  const double middle = std::sqrt(gap.low * gap.high);
-  return short_number_between(std::max(gap.low, middle / kRounding), std::min(gap.high, middle * kRounding));
+  const double there = gap.low * std::pow(gap.high / gap.low, place);
+  return short_number_between(std::max(gap.low, there / kRounding), std::min(gap.high, there * kRounding));
 }
 
 } // namespace
@@ -107,7 +107,7 @@ std::vector<Merge> list_merges(const Hierarchy &hierarchy)
 }
 
 std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, double noise_in_gradient,
-                                                  std::size_t most)
+                                                  std::size_t most, double place)
 {
   const std::vector<Merge> merges = list_merges(hierarchy);
   double all_cells = 0;
@@ -130,7 +130,7 @@ std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, do
   auto candidates = widest_first(measure_gaps(merges, all_cells, part, strongest, lowest));
   candidates.resize(std::min(candidates.size(), most));
   for (DeltaCandidate &candidate : candidates) {
-    candidate.delta = middle_of(candidate);
+    candidate.delta = short_number_in(candidate, place);
     candidate.regions = hierarchy.region_count(candidate.delta);
   }
   return candidates;

@@ -29,16 +29,17 @@ struct DeltaCandidate {
   double low;
   double high;
   double width; ///< mean of ln(high / low) over what counts as large
-  double delta; ///< near the geometric middle, in few digits
+  double delta; ///< in few digits
   double part;  ///< what counts as large, as a fraction of all cells: the middle of five numbers
   std::size_t regions;
 };
 
 /// At most `most` candidates, by decreasing width, ties to the larger delta; none where the field is constant. Gaps in
 /// which delta cannot be rounded, narrower than 5 %, are left out but for the widest of all.
-/// `noise_in_gradient` is NoiseLevel::gradient. O(basins log basins).
+/// `noise_in_gradient` is NoiseLevel::gradient. `place` says where in its gap each delta is, in the logarithm: 0 .. 1
+/// from low to high, within 5 %. O(basins log basins).
 std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, double noise_in_gradient,
-                                                  std::size_t most);
+                                                  std::size_t most, double place = 0.5);
 
 /// The number in low < x <= high with the fewest digits, near the geometric middle. 0 < low < high.
 double short_number_between(double low, double high);
