@@ -1,6 +1,40 @@
 #include "volsurf/topology/background.h"
 
+#include <algorithm>
+#include <queue>
+#include <utility>
+
 namespace volsurf {
+
+namespace {
+
+/// Adds to each basin's faces those of all that fell off it: what falls off with it. Returns the basins that have any,
+/// by rank. O(basins at the border and their ancestors, times their logarithm): of a large volume few, and a pass over
+/// all basins by rank would wait for memory at each.
+std::vector<BasinId> add_to_ancestors(const Hierarchy &hierarchy, std::vector<std::int64_t> &faces)
+{
+  std::vector<std::uint32_t> ranks;
+  for (BasinId basin = 0; basin < faces.size(); ++basin)
+    if (faces[basin] > 0)
+      ranks.push_back(hierarchy.rank[basin]);
+  std::priority_queue<std::uint32_t> weakest_first({}, std::move(ranks));
+  std::vector<BasinId> basins;
+  while (!weakest_first.empty()) {
+    const BasinId basin = hierarchy.by_rank[weakest_first.top()];
+    weakest_first.pop();
+    basins.push_back(basin);
+    const BasinId ancestor = hierarchy.ancestor[basin];
+    if (ancestor == basin)
+      continue;
+    if (faces[ancestor] == 0)
+      weakest_first.push(hierarchy.rank[ancestor]);
+    faces[ancestor] += faces[basin];
+  }
+  std::reverse(basins.begin(), basins.end());
+  return basins;
+}
+
+} // namespace
 
 std::vector<std::int64_t> count_border_faces(const CellLabels &cells, std::size_t basins)
 {
@@ -21,14 +55,11 @@ std::vector<std::int64_t> count_border_faces(const CellLabels &cells, std::size_
 
 BasinId find_background(const Hierarchy &hierarchy, std::vector<std::int64_t> border_faces)
 {
-  // From the weakest up: what falls off with a basin has its own faces and those of all that fell off it before.
   auto &faces_with_parts = border_faces;
-  for (auto basin = hierarchy.by_rank.rbegin(); basin + 1 != hierarchy.by_rank.rend(); ++basin)
-    faces_with_parts[hierarchy.ancestor[*basin]] += faces_with_parts[*basin];
-
+  const std::vector<BasinId> strongest_first = add_to_ancestors(hierarchy, faces_with_parts);
   BasinId background = hierarchy.by_rank.front();
   std::int64_t faces = faces_with_parts[background];
-  for (const BasinId part : hierarchy.by_rank) {
+  for (const BasinId part : strongest_first) {
     if (part == background || hierarchy.ancestor[part] != background)
       continue;
     faces -= faces_with_parts[part];

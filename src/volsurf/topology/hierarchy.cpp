@@ -12,9 +12,16 @@ namespace {
 
 std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
 {
-  std::vector<BasinId> by_rank(persistence.size());
-  std::iota(by_rank.begin(), by_rank.end(), BasinId{0});
-  radix_sort(by_rank, [&](BasinId basin) { return descending_bits(persistence[basin]); });
+  struct Ranked { // with its key, so that no pass of the sort looks for it all over memory
+    std::uint32_t key;
+    BasinId basin;
+  };
+  std::vector<Ranked> basins(persistence.size());
+  for (BasinId basin = 0; basin < basins.size(); ++basin)
+    basins[basin] = {descending_bits(persistence[basin]), basin};
+  radix_sort(basins, [](const Ranked &ranked) { return ranked.key; });
+  std::vector<BasinId> by_rank(basins.size());
+  std::transform(basins.begin(), basins.end(), by_rank.begin(), [](const Ranked &ranked) { return ranked.basin; });
   return by_rank;
 }
 
@@ -31,10 +38,16 @@ std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_sid
     }
     return basin;
   };
+  constexpr std::size_t kAhead = 16; // basins of neighbouring ranks are anywhere in memory
   std::vector<BasinId> ancestor(elder_side.size());
-  for (auto basin = by_rank.rbegin(); basin != by_rank.rend(); ++basin) {
-    ancestor[*basin] = find(elder_side[*basin]);
-    linked[*basin] = ancestor[*basin];
+  for (std::size_t rank = by_rank.size(); rank-- > 0;) {
+    if (rank >= 2 * kAhead) {
+      __builtin_prefetch(&elder_side[by_rank[rank - 2 * kAhead]]);
+      __builtin_prefetch(&linked[elder_side[by_rank[rank - kAhead]]]);
+    }
+    const BasinId basin = by_rank[rank];
+    ancestor[basin] = find(elder_side[basin]);
+    linked[basin] = ancestor[basin];
   }
   return ancestor;
 }
