@@ -45,6 +45,13 @@ std::vector<Row> rows_of(const std::string &csv)
   return rows;
 }
 
+TEST_F(Explore, NeedsMoreMemoryThanACut)
+{
+  const std::string allowed = head(48) + " --max-memory 82000000"; // 80 MB and 16 bytes per sample are 81.8
+  EXPECT_EQ(run(allowed + " --delta 20 -o head.vtp").exit_code, 0);
+  expect_refused("explore " + allowed, 3, {"48 x 48 x 48 samples", "--max-memory"});
+}
+
 TEST_F(Explore, PrintsTablesAndLeavesNoFile)
 {
   const std::string text = explored(head(48));

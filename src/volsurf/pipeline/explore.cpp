@@ -13,12 +13,20 @@ namespace {
 constexpr std::size_t kMostStrong = 10;
 constexpr std::size_t kMostProminent = 15;
 
+/// Of patches of the boundary and what joins them, beyond what a cut needs: the CT head takes 5.
+constexpr std::uint64_t kCurveBytesPerSample = 6;
+
 /// As for a given delta, since the answers are for all of them: a scan's grid may depend on --delta auto.
 MergedVolume read_for_every_delta(Settings settings, const Progress &progress,
                                   const std::function<void(const Grid &)> &found)
 {
   settings.delta = DeltaValue{};
-  return read_input(settings, progress, found);
+  return read_input(settings, progress, [&](const Grid &grid) {
+    if (found)
+      found(grid);
+    const auto samples = static_cast<std::uint64_t>(grid.sample_count());
+    require_memory(settings, grid, expected_memory_bytes(grid) + kCurveBytesPerSample * samples);
+  });
 }
 
 void require_walls(const Settings &settings, const Hierarchy &hierarchy)

@@ -12,22 +12,6 @@ namespace volsurf {
 
 namespace {
 
-/// A run that would swap or be killed is better refused before it begins.
-void require_memory(const Settings &settings, const Grid &grid)
-{
-  const std::uint64_t needed = expected_memory_bytes(grid, settings.method);
-  const std::uint64_t allowed = allowed_memory_bytes(settings);
-  if (needed <= allowed)
-    return;
-  std::ostringstream message;
-  message.precision(3);
-  message << settings.input.string() << ": found " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
-          << " samples, which need " << static_cast<double>(needed) / 1e9
-          << " GB; allowed: " << static_cast<double>(allowed) / 1e9 << " GB ("
-          << (settings.max_memory_bytes ? "--max-memory" : "what is available") << ")";
-  throw InputError(message.str());
-}
-
 /// What is given a second time must be what the file holds already.
 void require_options_of(const MergedVolume &merged, const Settings &settings)
 {
@@ -77,6 +61,20 @@ std::uint64_t expected_memory_bytes(const Grid &grid, Method method)
   return static_cast<std::uint64_t>(kProgramBytes + per_sample * samples);
 }
 
+void require_memory(const Settings &settings, const Grid &grid, std::uint64_t needed_bytes)
+{
+  const std::uint64_t allowed = allowed_memory_bytes(settings);
+  if (needed_bytes <= allowed)
+    return;
+  std::ostringstream message;
+  message.precision(3);
+  message << settings.input.string() << ": found " << grid.size[0] << " x " << grid.size[1] << " x " << grid.size[2]
+          << " samples, which need " << static_cast<double>(needed_bytes) / 1e9
+          << " GB; allowed: " << static_cast<double>(allowed) / 1e9 << " GB ("
+          << (settings.max_memory_bytes ? "--max-memory" : "what is available") << ")";
+  throw InputError(message.str());
+}
+
 MergedVolume read_input(const Settings &settings, const Progress &progress,
                         const std::function<void(const Grid &)> &found)
 {
@@ -84,7 +82,7 @@ MergedVolume read_input(const Settings &settings, const Progress &progress,
   const auto check_grid = [&](const Grid &grid) {
     if (found)
       found(grid);
-    require_memory(settings, grid);
+    require_memory(settings, grid, expected_memory_bytes(grid, settings.method));
   };
   bool scan_decides = false;
   const auto check_scan = [&](const Grid &scan) {

@@ -30,6 +30,10 @@ Grid corner_grid(const MergedVolume &merged);
 /// The memory that a run on such a grid is expected to take at most, meshes excepted: the samples and the merge.
 std::uint64_t expected_memory_bytes(const Grid &grid, Method method = Method::volsurf);
 
+/// A run that would swap or be killed is better refused before it begins: throws InputError where settings do not allow
+/// so much.
+void require_memory(const Settings &settings, const Grid &grid, std::uint64_t needed_bytes);
+
 /// The name of the scan, without its folder.
 std::string source_name(const MergedVolume &merged);
 
