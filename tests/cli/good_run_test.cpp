@@ -159,6 +159,13 @@ TEST_F(GoodRun, QuietPrintsNothingAndVerboseTellsEachStage)
     EXPECT_TRUE(contains(verbose, word));
 }
 
+TEST_F(GoodRun, WarnsWhereSmoothingShrinksABody)
+{
+  const std::string smooth_away = ball() + " --delta 2 --surface hull --smooth 1 --iterations 300 --snap off";
+  EXPECT_TRUE(contains(run(smooth_away).err, "warning: smoothing shrinks the enclosed volume by "));
+  EXPECT_FALSE(contains(run(ball() + " --delta 2 --surface hull").err, "warning"));
+}
+
 TEST_F(GoodRun, VerboseTellsTheExpectedMemoryBeforeTheWorkStarts)
 {
   const Outcome outcome = run(ball() + " --delta 2 -v --max-memory 1M");

@@ -11,26 +11,26 @@ namespace {
 
 constexpr std::size_t kMostListed = 20;
 
-bool drifts(const SurfaceSummary &surface)
+bool shrinks(const SurfaceSummary &surface)
 {
-  return surface.mesh.watertight && std::abs(surface.volume_drift()) > kLargestVolumeDrift;
+  return surface.mesh.watertight && surface.volume_drift() < -kLargestShrinkage;
 }
 
-void warn_of_drift(Report &report)
+void warn_of_shrinkage(Report &report)
 {
   const auto &surfaces = report.surfaces;
-  const auto count = std::count_if(surfaces.begin(), surfaces.end(), drifts);
+  const auto count = std::count_if(surfaces.begin(), surfaces.end(), shrinks);
   if (count == 0)
     return;
   const SurfaceSummary &worst = *std::max_element(surfaces.begin(), surfaces.end(), [](const auto &a, const auto &b) {
-    return (drifts(a) ? std::abs(a.volume_drift()) : 0) < (drifts(b) ? std::abs(b.volume_drift()) : 0);
+    return (shrinks(a) ? -a.volume_drift() : 0) < (shrinks(b) ? -b.volume_drift() : 0);
   });
   std::ostringstream warning;
-  warning << "smoothing changed the enclosed volume ";
+  warning << "smoothing shrinks the enclosed volume ";
   if (report.settings.split != Split::none)
     warning << "of " << count << " of " << surfaces.size() << " surfaces, most of all that of number " << worst.number
             << ", ";
-  warning << "by " << 100 * worst.volume_drift() << " %; try a smaller --smooth";
+  warning << "by " << -100 * worst.volume_drift() << " %; try a smaller --smooth";
   report.warnings.push_back(warning.str());
 }
 
@@ -104,7 +104,7 @@ void collect_warnings(Report &report)
   if (report.non_finite_gradients > 0)
     report.warnings.push_back(std::to_string(report.non_finite_gradients) +
                               " samples have no finite gradient and were taken as walls");
-  warn_of_drift(report);
+  warn_of_shrinkage(report);
 }
 
 } // namespace volsurf

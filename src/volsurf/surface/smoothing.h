@@ -29,8 +29,8 @@ struct SmoothingResult {
   double volume_drift = 0; ///< relative change of the enclosed volume
 };
 
-/// Drift of volume above which a result deserves a warning.
-constexpr double kLargestVolumeDrift = 0.05;
+/// Loss of volume above which a result deserves a warning. A gain does not: placement gives back what staircases lack.
+constexpr double kLargestShrinkage = 0.05;
 
 /// Of a surface of that strength where nothing else is asked for.
 int usual_iterations(double strength);
