@@ -16,14 +16,15 @@ constexpr double kCreaseBends = 3;      ///< a bend off by so many sd costs half
 constexpr int kMostIterations = 15;     ///< of one solution; more change the study's distances by less than 0.001 voxel
 constexpr double kLeastResidual = 1e-3; ///< squared, relative to the first, where a solution is good enough
 
-double inner_product(const std::vector<Vec3> &a, const std::vector<Vec3> &b)
+/// Calls term(i) for each point and adds up what they return, in an order that no thread changes.
+template <typename Term> double sum_over_points(std::size_t points, Term term)
 {
-  const auto count = static_cast<std::int64_t>(a.size());
+  const auto count = static_cast<std::int64_t>(points);
   std::vector<double> of_slab(static_cast<std::size_t>(slab_count(count, kPointsPerSlab)));
   parallel_for_slabs(count, kPointsPerSlab, [&](const Slab &slab) {
     double sum = 0;
     for (std::int64_t i = slab.begin; i < slab.end; ++i)
-      sum += dot(a[i], b[i]);
+      sum += term(static_cast<std::size_t>(i));
     of_slab[slab.index] = sum;
   });
   double sum = 0;
@@ -149,13 +150,14 @@ public:
     });
   }
 
-  /// The matrix of the normal equations times a vector.
-  void multiply(const std::vector<Vec3> &x, std::vector<Vec3> &result)
+  /// The matrix of the normal equations times a vector. Returns the inner product of both.
+  double multiply(const std::vector<Vec3> &x, std::vector<Vec3> &result)
   {
     for_each_point(size(),
                    [&](std::size_t i) { parts_[i] = bends_.part_of(i, scaled(stiffness_[i], bends_.at(i, x))); });
-    for_each_point(size(), [&](std::size_t i) {
+    return sum_over_points(size(), [&](std::size_t i) {
       result[i] = within_free_axes(i, plus(bends_.transposed_at(i, parts_), weight_[i], x[i]));
+      return dot(x[i], result[i]);
     });
   }
 
@@ -204,31 +206,30 @@ private:
 };
 
 /// Conjugate gradients. Goes on from x until the residual is small, or small beside `first_residual`, which is set
-/// where it is 0.
+/// where it is 0. Each loop does all that it can while it has a point at hand: waiting for memory takes the time.
 void minimise(SmoothingSpline &spline, std::vector<Vec3> &x, double &first_residual)
 {
   const std::size_t points = spline.size();
   std::vector<Vec3> residual(points);
   std::vector<Vec3> conditioned(points);
   std::vector<Vec3> product(points);
-  const auto condition_residual = [&] {
-    for_each_point(points, [&](std::size_t i) { conditioned[i] = scaled(1 / spline.diagonal(i), residual[i]); });
-    return inner_product(residual, conditioned);
+  const auto condition = [&](std::size_t i) {
+    conditioned[i] = scaled(1 / spline.diagonal(i), residual[i]);
+    return dot(residual[i], conditioned[i]);
   };
   spline.residual(x, residual);
-  double size = condition_residual();
+  double size = sum_over_points(points, condition);
   if (first_residual == 0)
     first_residual = size;
   std::vector<Vec3> direction = conditioned;
   for (int iteration = 0; iteration < spline.most_iterations() && size > kLeastResidual * first_residual; ++iteration) {
-    spline.multiply(direction, product);
-    const double step = size / inner_product(direction, product);
-    for_each_point(points, [&](std::size_t i) {
+    const double step = size / spline.multiply(direction, product);
+    const double before = size;
+    size = sum_over_points(points, [&](std::size_t i) {
       x[i] = plus(x[i], step, direction[i]);
       residual[i] = plus(residual[i], -step, product[i]);
+      return condition(i);
     });
-    const double before = size;
-    size = condition_residual();
     for_each_point(points, [&](std::size_t i) { direction[i] = plus(conditioned[i], size / before, direction[i]); });
   }
 }
