@@ -17,6 +17,7 @@ struct Part {
 };
 
 constexpr std::int64_t kAllCells = 1000000;
+constexpr double kMiddle = 0.5; // of a gap, in the logarithm
 
 /// A region without end and what merges with it, one after the other.
 Hierarchy hierarchy_of(const std::vector<Part> &parts)
@@ -85,7 +86,7 @@ RC_GTEST_PROP(FindDeltaCandidates, LieAboveTheNoiseAndLeaveTheRegionsThatTheyTel
   const Field field = *random_field();
   const RegionMerge merge = merge_of(field, Exterior::none);
   const double noise = 0.1 * *rc::gen::inRange(0, 30);
-  const auto candidates = find_delta_candidates(merge.hierarchy, noise, 5);
+  const auto candidates = find_delta_candidates(merge.hierarchy, noise, 5, kMiddle);
   RC_ASSERT(candidates.size() <= 5U);
   RC_ASSERT(noise > 0 || candidates.empty() == !(merge.hierarchy.largest_persistence() > 0));
   for (const DeltaCandidate &candidate : candidates) {
@@ -101,7 +102,7 @@ RC_GTEST_PROP(FindDeltaCandidates, LieAboveTheNoiseAndLeaveTheRegionsThatTheyTel
 
 TEST(FindDeltaCandidates, TheBestIsInTheWidestGapBetweenLargeRegionsWhateverSpecksThereAre)
 {
-  const auto candidates = find_delta_candidates(organ(), 0.1, 5);
+  const auto candidates = find_delta_candidates(organ(), 0.1, 5, kMiddle);
   ASSERT_FALSE(candidates.empty());
   EXPECT_EQ(candidates.front().low, 10);
   EXPECT_EQ(candidates.front().high, 47);
@@ -111,7 +112,7 @@ TEST(FindDeltaCandidates, TheBestIsInTheWidestGapBetweenLargeRegionsWhateverSpec
 
 TEST(FindDeltaCandidates, AnotherPlaceInTheGapsMovesDeltaAlone)
 {
-  const auto middles = find_delta_candidates(organ(), 0.1, 5);
+  const auto middles = find_delta_candidates(organ(), 0.1, 5, kMiddle);
   const auto highs = find_delta_candidates(organ(), 0.1, 5, 0.85);
   ASSERT_EQ(highs.size(), middles.size());
   for (std::size_t i = 0; i < highs.size(); ++i) {
@@ -126,8 +127,8 @@ TEST(FindDeltaCandidates, AnotherPlaceInTheGapsMovesDeltaAlone)
 
 TEST(FindDeltaCandidates, FollowTheUnitOfIntensity)
 {
-  const auto expected = find_delta_candidates(organ(), 1, 5);
-  const auto scaled = find_delta_candidates(organ(1024), 1024, 5);
+  const auto expected = find_delta_candidates(organ(), 1, 5, kMiddle);
+  const auto scaled = find_delta_candidates(organ(1024), 1024, 5, kMiddle);
   ASSERT_EQ(scaled.size(), expected.size());
   for (std::size_t i = 0; i < scaled.size(); ++i) {
     EXPECT_EQ(scaled[i].low, 1024 * expected[i].low);
@@ -139,8 +140,8 @@ TEST(FindDeltaCandidates, FollowTheUnitOfIntensity)
 TEST(FindDeltaCandidates, HoldTheNeighboursOfTheBestButNoHairBetweenTwoWalls)
 {
   // A large organ, a small one that it outlasts, and two parts that are gone almost at once.
-  const auto candidates =
-      find_delta_candidates(hierarchy_of({{29, 120000}, {17, 12000}, {12, 90000}, {11.9F, 80000}, {9, 50000}}), 12, 5);
+  const auto candidates = find_delta_candidates(
+      hierarchy_of({{29, 120000}, {17, 12000}, {12, 90000}, {11.9F, 80000}, {9, 50000}}), 12, 5, kMiddle);
   ASSERT_GE(candidates.size(), 2U);
   EXPECT_EQ(candidates[0].low, 17);
   EXPECT_EQ(candidates[0].high, 29);
@@ -152,16 +153,16 @@ TEST(FindDeltaCandidates, HoldTheNeighboursOfTheBestButNoHairBetweenTwoWalls)
 
 TEST(FindDeltaCandidates, NoiseEndsTheGaps)
 {
-  const auto candidates = find_delta_candidates(organ(), 20, 5); // its large regions merge below 14
+  const auto candidates = find_delta_candidates(organ(), 20, 5, kMiddle); // its large regions merge below 14
   ASSERT_FALSE(candidates.empty());
   EXPECT_EQ(candidates.front().low, 0.7 * 20);
   EXPECT_EQ(candidates.front().high, 47);
-  EXPECT_TRUE(find_delta_candidates(organ(), 200, 5).empty());
+  EXPECT_TRUE(find_delta_candidates(organ(), 200, 5, kMiddle).empty());
 }
 
 TEST(FindDeltaCandidates, WhereNoLargeRegionStandsOutSmallerOnesCount)
 {
-  const auto candidates = find_delta_candidates(hierarchy_of({{40, 300}, {4, 500}, {3, 300}}), 0.1, 5);
+  const auto candidates = find_delta_candidates(hierarchy_of({{40, 300}, {4, 500}, {3, 300}}), 0.1, 5, kMiddle);
   ASSERT_FALSE(candidates.empty());
   EXPECT_EQ(candidates.front().low, 4);
   EXPECT_EQ(candidates.front().high, 40);
@@ -170,7 +171,8 @@ TEST(FindDeltaCandidates, WhereNoLargeRegionStandsOutSmallerOnesCount)
 
 TEST(FindDeltaCandidates, LargeRegionsThatAreOnlyNoiseDoNotHideASmallOne)
 {
-  const auto candidates = find_delta_candidates(hierarchy_of({{14, 3000}, {0.72F, 30000}, {0.71F, 40000}}), 1, 5);
+  const auto candidates =
+      find_delta_candidates(hierarchy_of({{14, 3000}, {0.72F, 30000}, {0.71F, 40000}}), 1, 5, kMiddle);
   ASSERT_FALSE(candidates.empty());
   EXPECT_EQ(candidates.front().low, 1.7);
   EXPECT_EQ(candidates.front().high, 14);
@@ -178,8 +180,8 @@ TEST(FindDeltaCandidates, LargeRegionsThatAreOnlyNoiseDoNotHideASmallOne)
 
 TEST(FindDeltaCandidates, AFieldWithoutWallsHasNone)
 {
-  EXPECT_TRUE(find_delta_candidates(hierarchy_of({}), 0, 5).empty());
-  EXPECT_TRUE(find_delta_candidates(hierarchy_of({{0, 100000}}), 0, 5).empty());
+  EXPECT_TRUE(find_delta_candidates(hierarchy_of({}), 0, 5, kMiddle).empty());
+  EXPECT_TRUE(find_delta_candidates(hierarchy_of({{0, 100000}}), 0, 5, kMiddle).empty());
 }
 
 TEST(ShortNumberBetween, HasAsFewDigitsAsFitNearTheMiddle)

@@ -61,7 +61,7 @@ Difference difference_at(std::int64_t i, std::int64_t size, double spacing_mm)
   return {low, high, static_cast<float>(1.0 / (static_cast<double>(high - low) * spacing_mm))};
 }
 
-/// On a finer grid two thirds of a voxel are enough for the merge, and thin folds need no more.
+/// On a finer grid 0.65 of a voxel is enough for the merge, and thin folds need no more.
 double usual_sigma_mm(const Grid &grid)
 {
   return (grid.oversampling == 1 ? 1.0 : 0.65 * grid.oversampling) * mean_spacing_mm(grid);

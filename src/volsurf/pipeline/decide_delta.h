@@ -7,9 +7,6 @@
 
 namespace volsurf {
 
-/// No wall that white noise makes has a larger persistence than this many of its deviations in the gradient.
-constexpr double kNoiseFloor = 1.7;
-
 /// What is known of the noise, and the deltas that suggest themselves.
 struct DeltaAdvice {
   NoiseLevel noise;

@@ -51,7 +51,7 @@ WallContrasts::WallContrasts(const ScanModel &model)
     for (std::int64_t z = slab.begin; z < slab.end; ++z)
       for (std::int64_t y = 0; y < size_[1]; ++y)
         for (std::int64_t x = 0; x < size_[0]; ++x)
-          blocks_[static_cast<std::size_t>(x + size_[0] * (y + size_[1] * z))] = sums_of_block(model, {x, y, z});
+          blocks_[index_of({x, y, z})] = sums_of_block(model, {x, y, z});
   });
   for (int axis = 0; axis < 3; ++axis)
     blur_along(axis);
@@ -106,7 +106,7 @@ WallContrasts::Sums WallContrasts::sums_around(const Vec3 &place) const
       weight *= is_high ? part[axis] : 1 - part[axis];
       block[axis] = std::min(block[axis] + (is_high ? 1 : 0), size_[axis] - 1);
     }
-    const Sums &of_block = blocks_[static_cast<std::size_t>(block[0] + size_[0] * (block[1] + size_[1] * block[2]))];
+    const Sums &of_block = blocks_[index_of(block)];
     for (std::size_t i = 0; i < sums.size(); ++i)
       sums[i] += weight * of_block[i];
   }

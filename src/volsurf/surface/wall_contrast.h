@@ -40,6 +40,11 @@ private:
   /// Sums over samples of products of two of these: 1, the part inside, the part beyond the layer, the intensity.
   using Sums = std::array<double, 10>;
 
+  std::size_t index_of(const Index3 &block) const
+  {
+    return static_cast<std::size_t>(block[0] + size_[0] * (block[1] + size_[1] * block[2]));
+  }
+
   static Sums sums_of_block(const ScanModel &model, const Index3 &block);
   void blur_along(int axis);
   Sums sums_around(const Vec3 &place) const;

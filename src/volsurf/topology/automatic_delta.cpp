@@ -15,10 +15,9 @@ constexpr std::array<double, 5> kPartFactors{0.5, 0.7, 1.0, 1.4, 2.0};
 constexpr double kFirstPart = 0.01;
 constexpr double kNextPart = 0.1; ///< times as large, where no region of the last size stands out
 
-/// Noise merges its regions of 1 % of the scan below this many deviations of the gradient, and its smallest ones below
-/// the second.
+/// Noise merges its regions of 1 % of the scan below this many deviations of the gradient, its smallest ones below
+/// kNoiseFloor.
 constexpr double kNoiseMerges = 0.7;
-constexpr double kSmallNoiseMerges = 1.7;
 
 /// A wall of a large region stands out where it is so many times as strong as those of noise, and not by chance.
 constexpr double kStandsOut = 1.25;
@@ -118,7 +117,7 @@ std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, do
   double part = kFirstPart;
   auto strongest = strongest_of(merges, part * all_cells);
   if (!(strongest > kStandsOut * noise))
-    noise = kSmallNoiseMerges * noise_in_gradient;
+    noise = kNoiseFloor * noise_in_gradient;
   while (!(strongest > noise) && part * all_cells > 1) {
     part *= kNextPart;
     strongest = strongest_of(merges, part * all_cells);

@@ -15,6 +15,9 @@
 
 namespace volsurf {
 
+/// No wall that white noise makes has a larger persistence than this many of its deviations in the gradient.
+constexpr double kNoiseFloor = 1.7;
+
 /// A merge, as the basin that stops to be a region of its own tells of it.
 struct Merge {
   double persistence; ///< finite
@@ -39,7 +42,7 @@ struct DeltaCandidate {
 /// `noise_in_gradient` is NoiseLevel::gradient. `place` says where in its gap each delta is, in the logarithm: 0 .. 1
 /// from low to high, within 5 %. O(basins log basins).
 std::vector<DeltaCandidate> find_delta_candidates(const Hierarchy &hierarchy, double noise_in_gradient,
-                                                  std::size_t most, double place = 0.5);
+                                                  std::size_t most, double place);
 
 /// The number in low < x <= high with the fewest digits, near the geometric middle. 0 < low < high.
 double short_number_between(double low, double high);
