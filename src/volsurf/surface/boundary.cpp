@@ -11,12 +11,15 @@ namespace {
 
 constexpr std::int64_t kPlanesPerSlab = 16;
 
+/// Words that may be read beyond the last row of a plane.
+constexpr std::int64_t kSlack = 64;
+
 /// One plane of the cells' sides with a frame of what lies outside around it.
 class SidePlane {
 public:
   SidePlane(const CellLabels &cells, const Sides &sides)
       : cells_(&cells), sides_(&sides), stride_(cells.size[0] + 2),
-        values_(static_cast<std::size_t>(stride_ * (cells.size[1] + 2)), sides.outside)
+        values_(static_cast<std::size_t>(stride_ * (cells.size[1] + 2) + kSlack), sides.outside)
   {
   }
 
@@ -45,26 +48,24 @@ private:
   std::vector<RegionId> values_;
 };
 
+/// Sets bit x of the words where a[x] != b[x], 0 <= x < count. Reads up to 63 more of both.
 VOLSURF_VECTORISE
-bool differ(const RegionId *a, const RegionId *b, std::int64_t count)
-{
-  RegionId difference = 0;
-  for (std::int64_t i = 0; i < count; ++i)
-    difference |= a[i] ^ b[i];
-  return difference != 0;
-}
-
-/// Sets bit x of the words where a[x] != b[x].
 void mark_differences(const RegionId *a, const RegionId *b, std::int64_t count, std::uint64_t *words)
 {
-  for (std::int64_t begin = 0; begin < count; begin += 64) {
-    const std::int64_t length = std::min<std::int64_t>(64, count - begin);
-    if (!differ(a + begin, b + begin, length))
-      continue;
+  constexpr std::int64_t kBits = 64;
+  for (std::int64_t begin = 0; begin < count; begin += kBits) {
+    UInt32x8 any = {};
+    for (std::int64_t x = begin; x < begin + kBits; x += kLanes)
+      any |= lanes_at<UInt32x8>(a + x) ^ lanes_at<UInt32x8>(b + x);
+    if (set_of_lanes(any != 0) == 0)
+      continue; // as nearly everywhere
     std::uint64_t word = 0;
-    for (std::int64_t i = 0; i < length; ++i)
-      word |= static_cast<std::uint64_t>(a[begin + i] != b[begin + i]) << i;
-    words[begin / 64] = word;
+    for (std::int64_t x = 0; x < kBits; x += kLanes)
+      word |= static_cast<std::uint64_t>(
+                  set_of_lanes(lanes_at<UInt32x8>(a + begin + x) != lanes_at<UInt32x8>(b + begin + x)))
+              << x;
+    const std::int64_t left = count - begin;
+    words[begin / kBits] = left < kBits ? word & ((std::uint64_t{1} << left) - 1) : word;
   }
 }
 
