@@ -108,35 +108,49 @@ std::vector<double> radii(const FaceSet &faces, const Grid &grid, const std::vec
   return radius;
 }
 
-std::vector<double> face_counts(const std::vector<ComponentId> &of_face, std::size_t count)
-{
-  std::vector<double> sizes(count);
-  for (const ComponentId component : of_face)
-    ++sizes[component];
-  return sizes;
-}
+/// The trees of a forest, numbered from 0 in the order of their lowest index.
+struct Trees {
+  std::vector<FaceIndex> roots; ///< per tree: its lowest index
+  std::vector<std::int64_t> face_counts;
+};
 
-/// Numbers the trees of the forest from 0, in the order of their lowest index. Returns their number.
-std::size_t number_trees(IndexForest &forest, std::vector<ComponentId> &of_face)
+Trees number_trees(IndexForest &forest, std::vector<ComponentId> &of_face)
 {
-  ComponentId count = 0;
+  Trees trees;
   for (FaceIndex face = 0; face < of_face.size(); ++face) {
     const FaceIndex root = forest.find(face);
-    of_face[face] = root == face ? count++ : of_face[root];
+    if (root == face) {
+      of_face[face] = static_cast<ComponentId>(trees.roots.size());
+      trees.roots.push_back(face);
+      trees.face_counts.push_back(0);
+    }
+    of_face[face] = of_face[root];
+    ++trees.face_counts[of_face[root]];
   }
-  return count;
+  return trees;
 }
 
-/// Per component the lowest face by (sample of its lowest corner, axis).
-std::vector<std::int64_t> lowest_faces(const FaceSet &faces, const std::vector<ComponentId> &of_face, std::size_t count)
+/// Per component the lowest face by (sample of its lowest corner, axis). It is in the row of the face with the lowest
+/// index, its root, so that rows without roots need no look.
+std::vector<std::int64_t> lowest_faces(const FaceSet &faces, const std::vector<ComponentId> &of_face,
+                                       const std::vector<FaceIndex> &roots)
 {
-  std::vector<std::int64_t> lowest(count, std::numeric_limits<std::int64_t>::max());
+  std::vector<std::int64_t> lowest(roots.size(), std::numeric_limits<std::int64_t>::max());
   const Index3 &n = faces.samples();
-  faces.for_each(0, n[2], [&](FaceIndex index, const FacePosition &face) {
+  const auto lower = [&](FaceIndex index, const FacePosition &face) {
     const SampleId corner = (face.corner[2] * n[1] + face.corner[1]) * n[0] + face.corner[0];
     std::int64_t &component_lowest = lowest[of_face[index]];
     component_lowest = std::min(component_lowest, 3 * corner + face.axis);
-  });
+  };
+  auto root = roots.begin();
+  for (std::int64_t row = 0; root != roots.end(); ++row) {
+    const bool is_last = row + 1 == n[1] * n[2];
+    const FaceIndex end = is_last ? faces.size() : faces.faces_before_row((row + 1) % n[1], (row + 1) / n[1]);
+    if (*root >= end)
+      continue;
+    faces.for_each_in_row(row % n[1], row / n[1], lower);
+    root = std::lower_bound(root, roots.end(), end);
+  }
   return lowest;
 }
 
@@ -161,22 +175,15 @@ Components find_components(const FaceSet &faces, const Grid &grid, const Compone
   IndexForest forest(faces.size());
   join_over_edges(faces, forest);
   std::vector<ComponentId> of_face(faces.size());
-  const std::size_t count = number_trees(forest, of_face);
+  const Trees trees = number_trees(forest, of_face);
 
-  std::vector<double> size;
-  switch (options.rank_by) {
-  case RankBy::faces:
-    size = face_counts(of_face, count);
-    break;
-  case RankBy::area:
-    size = areas(faces, grid, of_face, count);
-    break;
-  case RankBy::radius:
-    size = radii(faces, grid, of_face, count);
-    break;
-  }
-  const auto lowest = lowest_faces(faces, of_face, count);
-  return rank_components(std::move(of_face), size, lowest, options.keep);
+  std::vector<double> sizes(trees.face_counts.begin(), trees.face_counts.end());
+  if (options.rank_by == RankBy::area)
+    sizes = areas(faces, grid, of_face, sizes.size());
+  if (options.rank_by == RankBy::radius)
+    sizes = radii(faces, grid, of_face, sizes.size());
+  const auto lowest = lowest_faces(faces, of_face, trees.roots);
+  return rank_components(std::move(of_face), sizes, lowest, options.keep);
 }
 
 KeptFaces keep_components(FaceSet faces, const Components &components)

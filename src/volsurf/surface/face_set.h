@@ -65,18 +65,27 @@ public:
     return z == samples_[2] ? size_ : faces_before_[row_start(0, 0, z)];
   }
 
+  /// The number of faces before the faces of all axes at (y, z).
+  FaceIndex faces_before_row(std::int64_t y, std::int64_t z) const { return faces_before_[row_start(0, y, z)]; }
+
   /// Calls visit(index, FacePosition) for the faces of planes z_begin .. z_end-1, in order.
   template <typename Visit> void for_each(std::int64_t z_begin, std::int64_t z_end, Visit visit) const
   {
-    FaceIndex index = faces_before_plane(z_begin);
     for (std::int64_t z = z_begin; z < z_end; ++z)
       for (std::int64_t y = 0; y < samples_[1]; ++y)
-        for (int axis = 0; axis < 3; ++axis) {
-          const std::uint64_t *const words = row(axis, y, z);
-          for (std::int64_t w = 0; w < words_per_row_; ++w)
-            for (std::uint64_t rest = words[w]; rest != 0; rest &= rest - 1)
-              visit(index++, FacePosition{axis, {64 * w + __builtin_ctzll(rest), y, z}});
-        }
+        for_each_in_row(y, z, visit);
+  }
+
+  /// The same for the faces of all axes at (y, z).
+  template <typename Visit> void for_each_in_row(std::int64_t y, std::int64_t z, Visit visit) const
+  {
+    FaceIndex index = faces_before_row(y, z);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint64_t *const words = row(axis, y, z);
+      for (std::int64_t w = 0; w < words_per_row_; ++w)
+        for (std::uint64_t rest = words[w]; rest != 0; rest &= rest - 1)
+          visit(index++, FacePosition{axis, {64 * w + __builtin_ctzll(rest), y, z}});
+    }
   }
 
 private:
