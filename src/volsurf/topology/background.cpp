@@ -1,5 +1,7 @@
 #include "volsurf/topology/background.h"
 
+#include "volsurf/core/parallel.h"
+
 #include <algorithm>
 #include <queue>
 #include <utility>
@@ -7,6 +9,36 @@
 namespace volsurf {
 
 namespace {
+
+constexpr std::int64_t kPlanesPerSlab = 16;
+constexpr std::int64_t kAhead = 16; ///< rows whose ends are fetched before they are needed
+
+/// Adds up the border faces of basins, as other threads do. Those of neighbours, which are mostly of one basin, at
+/// once.
+class BorderFaces {
+public:
+  explicit BorderFaces(std::vector<std::int64_t> &faces) : faces_(faces) {}
+  BorderFaces(const BorderFaces &) = delete;
+  BorderFaces &operator=(const BorderFaces &) = delete;
+  ~BorderFaces() { put_down(); }
+
+  void add(BasinId basin, std::int64_t faces)
+  {
+    if (basin != basin_) {
+      put_down();
+      basin_ = basin;
+      count_ = 0;
+    }
+    count_ += faces;
+  }
+
+private:
+  void put_down() { __atomic_fetch_add(&faces_[basin_], count_, __ATOMIC_RELAXED); }
+
+  std::vector<std::int64_t> &faces_;
+  BasinId basin_ = 0;
+  std::int64_t count_ = 0;
+};
 
 /// Adds to each basin's faces those of all that fell off it: what falls off with it. Returns the basins that have any,
 /// by rank. O(basins at the border and their ancestors, times their logarithm): of a large volume few, and a pass over
@@ -38,18 +70,23 @@ std::vector<BasinId> add_to_ancestors(const Hierarchy &hierarchy, std::vector<st
 
 std::vector<std::int64_t> count_border_faces(const CellLabels &cells, std::size_t basins)
 {
+  const auto &[nx, ny, nz] = cells.size;
   std::vector<std::int64_t> faces(basins);
-  for (std::int64_t z = 0, cell = 0; z < cells.size[2]; ++z)
-    for (std::int64_t y = 0; y < cells.size[1]; ++y) {
-      const int row_faces = (z == 0) + (z == cells.size[2] - 1) + (y == 0) + (y == cells.size[1] - 1);
-      const auto count = [&](std::int64_t x, int border_faces) { faces[cells.basins[cell + x]] += border_faces; };
-      if (row_faces > 0)
-        for (std::int64_t x = 0; x < cells.size[0]; ++x)
-          count(x, row_faces);
-      count(0, 1);
-      count(cells.size[0] - 1, 1);
-      cell += cells.size[0];
-    }
+  parallel_for_slabs(nz, kPlanesPerSlab, [&, nx = nx, ny = ny, nz = nz](const Slab &slab) {
+    BorderFaces low_x(faces);
+    BorderFaces high_x(faces);
+    BorderFaces others(faces);
+    for (std::int64_t z = slab.begin; z < slab.end; ++z)
+      for (std::int64_t y = 0; y < ny; ++y) {
+        const BasinId *const row = cells.basins.data() + (z * ny + y) * nx;
+        __builtin_prefetch(row + kAhead * nx);
+        low_x.add(row[0], 1);
+        high_x.add(row[nx - 1], 1);
+        const int row_faces = (z == 0) + (z == nz - 1) + (y == 0) + (y == ny - 1);
+        for (std::int64_t x = 0; row_faces > 0 && x < nx; ++x)
+          others.add(row[x], row_faces);
+      }
+  });
   return faces;
 }
 
