@@ -33,6 +33,19 @@ struct Exit {
   BasinId basin; ///< known after resolve_exits()
 };
 
+/// Cells of a row that have the label of an exit.
+struct ExitRun {
+  CellId begin;
+  std::uint32_t count;
+  BasinId exit; ///< its place among those of the slab
+};
+
+/// The paths that leave a slab, and the cells that are to get another label for them.
+struct SlabExits {
+  std::vector<Exit> exits;
+  std::vector<ExitRun> runs;
+};
+
 /// Replaces the step codes of one slab by labels, in two passes over its cells.
 ///
 /// The forward pass writes, for a step to a later cell, a pointer to it, and for a step to an earlier cell what stands
@@ -41,8 +54,7 @@ struct Exit {
 /// slab get their labels, enter_steps() does what no other cell of the row has a part in, and a scan does the rest.
 class SlabLabeller {
 public:
-  SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins,
-               std::vector<Exit> &exits)
+  SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins, SlabExits &exits)
       : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), row_(cells.row), plane_(cells.plane),
         exterior_(exterior), basins_(basins), exits_(exits), runs_(static_cast<std::size_t>(cells.row))
   {
@@ -96,8 +108,8 @@ private:
 
   BasinId new_exit(CellId target)
   {
-    exits_.push_back({target, 0, kUnknown});
-    const std::size_t label = basins_.roots.size() + exits_.size() - 1;
+    exits_.exits.push_back({target, 0, kUnknown});
+    const std::size_t label = basins_.roots.size() + exits_.exits.size() - 1;
     if (label >= kPointerFlag)
       throw Error("the volume has too many basins; more than 2147483647 are not allowed");
     return static_cast<BasinId>(label);
@@ -136,19 +148,23 @@ private:
   void count_runs(std::int64_t row_end, const std::int64_t *runs_end)
   {
     for (const std::int64_t *run = runs_.data(); run != runs_end; ++run) {
-      count(entries_[*run], row_end - *run);
+      count(*run, row_end - *run);
       row_end = *run;
     }
   }
 
-  void count(BasinId label, std::int64_t cells)
+  void count(std::int64_t begin, std::int64_t cells)
   {
-    if (label >= basins_.roots.size())
-      exits_[label - basins_.roots.size()].cell_count += cells;
-    else if (label == exterior_)
+    const BasinId label = entries_[begin];
+    if (label >= basins_.roots.size()) {
+      const auto exit = static_cast<BasinId>(label - basins_.roots.size());
+      exits_.exits[exit].cell_count += cells;
+      exits_.runs.push_back({begin_ + begin, static_cast<std::uint32_t>(cells), exit});
+    } else if (label == exterior_) {
       exterior_cells_ += cells;
-    else
+    } else {
       basins_.cell_counts[label] += cells;
+    }
   }
 
   BasinId *entries_; // of the slab's cells
@@ -158,7 +174,7 @@ private:
   std::int64_t plane_;
   BasinId exterior_;
   Basins &basins_;
-  std::vector<Exit> &exits_;
+  SlabExits &exits_;
   std::vector<std::int64_t> runs_; // of a row: where they begin
   std::int64_t exterior_cells_ = 0;
 };
@@ -166,6 +182,12 @@ private:
 Basins collect_roots(const CellGrid &cells, StarSweep &sweep, Exterior exterior)
 {
   Basins basins;
+  std::size_t count = exterior == Exterior::infinite ? 1 : 0;
+  for (const StripStars &strip : sweep.strips)
+    for (const std::vector<Root> &roots : strip.roots)
+      count += roots.size();
+  basins.roots.reserve(count);
+  basins.values.reserve(count);
   for (std::int64_t z = 0; z < cells.size[2]; ++z)
     for (StripStars &strip : sweep.strips) {
       std::vector<Root> &roots = strip.roots[static_cast<std::size_t>(z)];
@@ -185,14 +207,12 @@ Basins collect_roots(const CellGrid &cells, StarSweep &sweep, Exterior exterior)
   return basins;
 }
 
-using SlabExits = std::vector<std::vector<Exit>>;
-
 /// Finds the basin of each exit, which may lead through several slabs.
-void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins)
+void resolve_exits(std::vector<SlabExits> &slabs, std::int64_t cells_per_slab, Basins &basins)
 {
   std::vector<Exit *> chain;
-  for (auto &slab_exits : exits)
-    for (Exit &exit : slab_exits) {
+  for (SlabExits &slab : slabs)
+    for (Exit &exit : slab.exits) {
       chain.clear();
       Exit *last = &exit;
       BasinId basin = last->basin;
@@ -200,7 +220,7 @@ void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins
         chain.push_back(last);
         basin = basins.labels[last->target];
         if (basin >= basins.roots.size()) {
-          last = &exits[static_cast<std::size_t>(last->target / cells_per_slab)][basin - basins.roots.size()];
+          last = &slabs[static_cast<std::size_t>(last->target / cells_per_slab)].exits[basin - basins.roots.size()];
           basin = last->basin;
         }
       }
@@ -210,12 +230,10 @@ void resolve_exits(SlabExits &exits, std::int64_t cells_per_slab, Basins &basins
     }
 }
 
-void relabel_exits(const Slab &slab, std::int64_t cells_per_plane, const std::vector<Exit> &exits, Basins &basins)
+void relabel(const SlabExits &slab, Basins &basins)
 {
-  const std::size_t first_exit = basins.roots.size();
-  for (CellId cell = slab.begin * cells_per_plane; cell < slab.end * cells_per_plane; ++cell)
-    if (basins.labels[cell] >= first_exit)
-      basins.labels[cell] = exits[basins.labels[cell] - first_exit].basin;
+  for (const ExitRun &run : slab.runs)
+    std::fill_n(basins.labels.data() + run.begin, run.count, slab.exits[run.exit].basin);
 }
 
 /// Cells per slab must leave room for the pointers' flag and the codes of steps.
@@ -239,7 +257,7 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
 
   planes_per_slab = checked_planes_per_slab(cells, planes_per_slab);
   const auto slabs = static_cast<std::size_t>(slab_count(cells.size[2], planes_per_slab));
-  SlabExits exits(slabs);
+  std::vector<SlabExits> exits(slabs);
   std::vector<std::int64_t> exterior_cells(slabs);
   parallel_for_slabs(cells.size[2], planes_per_slab, [&](const Slab &slab) {
     const auto index = static_cast<std::size_t>(slab.index);
@@ -252,11 +270,8 @@ Basins label_basins(const CellGrid &cells, StarSweep &sweep, Exterior exterior, 
       basins.cell_counts[exterior_basin] += count;
 
   resolve_exits(exits, planes_per_slab * cells.plane, basins);
-  parallel_for_slabs(cells.size[2], planes_per_slab, [&](const Slab &slab) {
-    const auto &slab_exits = exits[static_cast<std::size_t>(slab.index)];
-    if (!slab_exits.empty())
-      relabel_exits(slab, cells.plane, slab_exits, basins);
-  });
+  parallel_for_slabs(static_cast<std::int64_t>(slabs), 1,
+                     [&](const Slab &slab) { relabel(exits[static_cast<std::size_t>(slab.index)], basins); });
   return basins;
 }
 

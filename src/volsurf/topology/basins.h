@@ -3,7 +3,8 @@
 // In: the steps of a sweep. Out: the basin of each cell.
 //
 // Guarantees: basins are numbered by root cell. Passes: each slab of cells turns its steps into labels, in one pass
-// forward and one backward; the paths that left it are joined up over the slabs; then their cells are relabelled.
+// forward and one backward; the paths that left it are joined up over the slabs; then the runs of cells on them get
+// their labels.
 #pragma once
 
 #include "volsurf/topology/star_sweep.h"
