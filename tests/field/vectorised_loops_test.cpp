@@ -1,13 +1,15 @@
 // The loops that run on SIMD give the bytes of plain ones. plain_kernels.cpp holds those.
-#include "volsurf/field/row_kernels.h"
-#include "volsurf/topology/newborn.h"
-
 #include "support/fields.h"
+#include "support/row_patterns.h"
+#include "volsurf/field/row_kernels.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cstring>
+
+using namespace volsurf;
+using namespace volsurf::support;
 
 namespace volsurf_plain {
 
@@ -18,12 +20,10 @@ void smooth_and_derive_row(const float *const *rows, const float *smooth, const 
 void difference_row(const float *low, const float *high, float factor, std::int64_t count, float *out);
 std::int32_t negative_magnitude_row(const float *gx, const float *gy, const float *gz, std::int64_t count, float *out);
 void negate_row(const float *in, std::int64_t count, float *out);
-void newborn_masks(const std::array<const float *, 9> &rows, std::int64_t count, std::uint32_t *masks);
+RowPatterns row_patterns(const Index3 &size, const std::vector<float> &values, bool is_infinite, std::int64_t y,
+                         std::int64_t z);
 
 } // namespace volsurf_plain
-
-using namespace volsurf;
-using namespace volsurf::support;
 
 namespace {
 
@@ -108,19 +108,14 @@ RC_GTEST_PROP(VectorisedLoops, DifferencesAndMagnitudesGiveTheBytesOfPlainLoops,
   RC_ASSERT(non_finite[0] == non_finite[1]);
 }
 
-RC_GTEST_PROP(VectorisedLoops, NewbornMasksAreThoseOfPlainLoops, ())
+RC_GTEST_PROP(VectorisedLoops, PatternsOfStarsAreThoseOfPlainLoops, ())
 {
   Dice dice(*random_seed());
-  const std::int64_t count = dice.between(1, 200);
-  std::vector<Row> rows;
-  StarRows starts{};
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    rows.push_back(random_row(dice, count + 2, true));
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    starts[i] = rows[i].data() + 1;
-  std::vector<NewbornMask> fast(static_cast<std::size_t>(count));
-  std::vector<NewbornMask> plain(fast.size());
-  newborn_masks(starts, count, fast.data());
-  volsurf_plain::newborn_masks(starts, count, plain.data());
-  RC_ASSERT(fast == plain);
+  const Index3 size{dice.between(2, 600), 3, 3};
+  const Row values = random_row(dice, size[0] * size[1] * size[2], true);
+  const bool is_infinite = dice.one_in(2);
+  const BorderRule border(size, is_infinite ? Exterior::infinite : Exterior::none);
+  const std::int64_t y = dice.between(0, 2);
+  const std::int64_t z = dice.between(0, 2);
+  RC_ASSERT(row_patterns({size, values}, border, y, z) == volsurf_plain::row_patterns(size, values, is_infinite, y, z));
 }

@@ -38,10 +38,11 @@ SweepLinks links_of(const Field &field, const StarSweep &sweep)
     if (sweep.codes[cell] != step_code(kNoStep))
       links.steps.insert(link_of_step(cells, cell, step_of(sweep.codes[cell])));
   for (const StripStars &strip : sweep.strips)
-    for (const auto &plane : strip.saddles)
-      for (const Saddle &saddle : plane)
-        links.saddles.insert(
-            link_of_step(cells, static_cast<CellId>(saddle.face >> 3), static_cast<Step>(saddle.face & 7U)));
+    for (std::size_t z = 0; z < strip.saddles.size(); ++z) {
+      const StripFaces faces(cells, strip.rows, static_cast<std::int64_t>(z));
+      for (const Saddle &saddle : strip.saddles[z])
+        links.saddles.insert(link_of_step(cells, faces.cell(saddle.face), StripFaces::step(saddle.face)));
+    }
   return links;
 }
 

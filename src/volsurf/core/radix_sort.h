@@ -17,9 +17,10 @@ inline std::uint32_t descending_bits(float value)
   return (bits & 0x80000000U) ? bits : ~(bits | 0x80000000U);
 }
 
-/// Sorts items by key_of(item), a std::uint32_t, ascending; equal keys keep their order. O(items), needs a second
-/// array.
-template <typename Item, typename KeyOf> void radix_sort(std::vector<Item> &items, KeyOf key_of)
+/// Sorts items by key_of(item), a std::uint32_t, ascending; equal keys keep their order. O(items). What is in `second`
+/// is lost; who sorts often keeps it, since new memory takes as long as a pass.
+template <typename Item, typename KeyOf>
+void radix_sort(std::vector<Item> &items, std::vector<Item> &second, KeyOf key_of)
 {
   constexpr int kBits = 11;
   constexpr int kPasses = 3;
@@ -30,15 +31,21 @@ template <typename Item, typename KeyOf> void radix_sort(std::vector<Item> &item
     for (int pass = 0; pass < kPasses; ++pass)
       ++starts[pass][(key_of(item) >> (pass * kBits) & (kBuckets - 1)) + 1];
 
-  std::vector<Item> sorted(items.size());
+  second.resize(items.size());
   for (int pass = 0; pass < kPasses; ++pass) {
     auto &start = starts[pass];
     for (std::uint32_t bucket = 0; bucket < kBuckets; ++bucket)
       start[bucket + 1] += start[bucket];
     for (const Item &item : items)
-      sorted[start[key_of(item) >> (pass * kBits) & (kBuckets - 1)]++] = item;
-    items.swap(sorted);
+      second[start[key_of(item) >> (pass * kBits) & (kBuckets - 1)]++] = item;
+    items.swap(second);
   }
+}
+
+template <typename Item, typename KeyOf> void radix_sort(std::vector<Item> &items, KeyOf key_of)
+{
+  std::vector<Item> second;
+  radix_sort(items, second, key_of);
 }
 
 } // namespace volsurf

@@ -9,6 +9,7 @@
 namespace volsurf {
 
 constexpr int kOctants = 8;
+constexpr unsigned kAllOctants = 0xFF; ///< as a set, bit o for octant o
 constexpr int kStarFaces = 12;
 
 constexpr int lower_octant(int star_face)

@@ -30,6 +30,8 @@ namespace volsurf {
 using Float32x8 = float __attribute__((vector_size(32), aligned(4), may_alias));
 using Float64x4 = double __attribute__((vector_size(32), aligned(4), may_alias));
 using UInt32x8 = unsigned __attribute__((vector_size(32), aligned(4), may_alias));
+using UInt64x4 = unsigned long long __attribute__((vector_size(32), aligned(4), may_alias));
+using UInt8x32 = unsigned char __attribute__((vector_size(32), aligned(4), may_alias));
 using Mask32x8 = decltype(UInt32x8{} != 0);
 constexpr int kLanes = 8;
 

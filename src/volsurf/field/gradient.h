@@ -13,7 +13,7 @@ namespace volsurf {
 
 struct FieldOptions {
   std::optional<double> sigma_mm; ///< sd of the Gaussian; 0: central differences; not set: the mean spacing, on a finer
-                                  ///< grid 3/4 of the scan's
+                                  ///< grid 0.65 of the scan's
   bool edge_map = false;          ///< the volume is an edge strength already: I = -g
 };
 
@@ -33,9 +33,8 @@ HalfKernel gaussian_derivative_kernel(double sigma_voxels);
 /// Gradients are per millimetre, in float32, in one fixed order of operations:
 ///
 /// - sigma 0, as numpy.gradient: (g[i+1] - g[i-1]) * (1 / 2h), at the border (g[i+1] - g[i]) * (1 / h);
-/// - sigma > 0: z, then y, then x; each sum goes outwards from the centre, w[0] c + w[1] (a[1] + b[1]) + ...; beyond
-/// the
-///   border the volume continues with its border samples;
+/// - sigma > 0: z, then y, then x; each sum goes outwards from the centre, w[0] c + w[1] (a[1] + b[1]) + ...;
+///   beyond the border the volume continues with its border samples;
 /// - |grad g| = sqrt((gx gx + gy gy) + gz gz).
 ///
 /// Where that is not finite, I is the most negative finite float: a wall. I is never -0.

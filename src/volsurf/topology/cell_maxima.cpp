@@ -2,33 +2,22 @@
 
 #include "volsurf/core/vectorise.h"
 
+#include <algorithm>
+
 namespace volsurf {
 
 VOLSURF_VECTORISE
-void square_maxima(const float *row, const float *next_row, std::int64_t count, float *values, CornerCode *corners)
+void square_maxima(const float *row, const float *next_row, std::int64_t count, float *maxima)
 {
-  for (std::int64_t x = 0; x + 1 < count; ++x) {
-    const bool right = row[x + 1] > row[x];
-    const float low = right ? row[x + 1] : row[x];
-    const bool next_right = next_row[x + 1] > next_row[x];
-    const float high = next_right ? next_row[x + 1] : next_row[x];
-    const bool next = high > low;
-    values[x] = next ? high : low;
-    const CornerCode low_corner = right ? 1 : 0;
-    const CornerCode high_corner = next_right ? 3 : 2;
-    corners[x] = next ? high_corner : low_corner;
-  }
+  for (std::int64_t x = 0; x + 1 < count; ++x)
+    maxima[x] = std::max(std::max(row[x], row[x + 1]), std::max(next_row[x], next_row[x + 1]));
 }
 
 VOLSURF_VECTORISE
-void cell_maxima(const float *lower_values, const CornerCode *lower_corners, const float *upper_values,
-                 const CornerCode *upper_corners, std::int64_t count, float *values, CornerCode *corners)
+void cell_maxima(const float *lower, const float *upper, std::int64_t count, float *maxima)
 {
-  for (std::int64_t i = 0; i < count; ++i) {
-    const bool upper = upper_values[i] > lower_values[i];
-    values[i] = upper ? upper_values[i] : lower_values[i];
-    corners[i] = upper ? upper_corners[i] | 4 : lower_corners[i];
-  }
+  for (std::int64_t i = 0; i < count; ++i)
+    maxima[i] = std::max(lower[i], upper[i]);
 }
 
 } // namespace volsurf

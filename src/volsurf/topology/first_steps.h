@@ -1,30 +1,29 @@
 // The first face in K of each cell of a row, where the cell's neighbours alone decide it: step B of the region merge.
+//
+// In: what is newborn at the row's corners, which tells the first corner of each cell, and I of the cells around. Out:
+// a step per cell.
 #pragma once
 
-#include "volsurf/topology/cell_maxima.h"
-#include "volsurf/topology/cubical_complex.h"
+#include "volsurf/topology/newborn.h"
 
 namespace volsurf {
 
-/// A row of cells with its neighbours. Outside the volume values are +infinity where there is an exterior node and
-/// -infinity where there is none, and corners are kNoCorner.
-struct CellRow {
-  const float *values;
-  const CornerCode *corners;
-};
-constexpr CornerCode kNoCorner = 8;
-
+/// I of a row of cells and of those next to it. Outside the volume it is +infinity where there is an exterior node and
+/// -infinity where there is none.
 struct CellRows {
-  CellRow centre; ///< readable from -1 to count
-  CellRow low_y;
-  CellRow high_y;
-  CellRow low_z;
-  CellRow high_z;
+  const float *level; ///< from -1 on
+  const float *low_y;
+  const float *high_y;
+  const float *low_z;
+  const float *high_z;
 };
+
+/// The rows of samples at the corners of a row of cells: (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1).
+using CornerRows = std::array<NewbornRow, 4>;
 
 /// Let v be a cell's first corner. Among the three neighbours that share v with it and are not newborn at v, the step
 /// leads to the one with the largest maximum, ties to the lowest axis; kNoStep where all three are newborn at v, too.
-/// Writes step_code(step), eight cells at a time.
-void first_steps(const CellRows &rows, std::int64_t count, BasinId *codes);
+/// Writes step_code(step) for `count` cells, eight at a time. Reads up to 8 more of each row.
+void first_steps(const CellRows &rows, const CornerRows &corners, std::int64_t count, BasinId *codes);
 
 } // namespace volsurf

@@ -32,43 +32,45 @@ public:
   std::vector<SaddleEdge> join_block(const PlaneRange &block)
   {
     std::vector<SaddleEdge> edges;
+    std::vector<SaddleEdge> run_edges;
+    std::vector<SaddleEdge> second;
     for (PlaneRange run{block.begin, block.begin}; run.begin < block.end; run.begin = run.end) {
-      std::vector<SaddleEdge> run_edges = edges_of_run(run, block.end);
-      join(run, run_edges);
+      take_run(run, block.end, run_edges);
+      join(run, run_edges, second);
       edges.insert(edges.end(), run_edges.begin(), run_edges.end());
     }
-    join(block, edges);
+    join(block, edges, second);
     return edges;
   }
 
   BasinTree join_volume(std::vector<SaddleEdge> edges)
   {
-    join({0, plane_count()}, edges);
+    std::vector<SaddleEdge> second;
+    join({0, plane_count()}, edges, second);
     return std::move(tree_);
   }
 
 private:
   std::int64_t plane_count() const { return cells_.size[2] + 1; }
 
-  /// Ends a run where it has enough faces and returns its edges in the order K of faces of equal value.
-  std::vector<SaddleEdge> edges_of_run(PlaneRange &run, std::int64_t end)
+  /// Ends a run where it has enough faces and takes its edges in the order K of faces of equal value.
+  void take_run(PlaneRange &run, std::int64_t end, std::vector<SaddleEdge> &edges)
   {
-    std::vector<SaddleEdge> edges;
+    edges.clear();
     for (std::size_t faces = 0; run.end < end && faces < kFacesInRun; ++run.end)
       for (StripStars &strip : sweep_.strips) {
         auto &saddles = strip.saddles[static_cast<std::size_t>(run.end)];
         faces += saddles.size();
-        add_edges(saddles, edges);
+        add_edges(saddles, StripFaces(cells_, strip.rows, run.end), edges);
         saddles = {};
       }
-    return edges;
   }
 
-  void add_edges(const std::vector<Saddle> &saddles, std::vector<SaddleEdge> &edges) const
+  void add_edges(const std::vector<Saddle> &saddles, const StripFaces &faces, std::vector<SaddleEdge> &edges) const
   {
     for (const Saddle &saddle : saddles) {
-      const auto cell = static_cast<CellId>(saddle.face >> 3);
-      const auto step = static_cast<Step>(saddle.face & 7U);
+      const CellId cell = faces.cell(saddle.face);
+      const Step step = StripFaces::step(saddle.face);
       const BasinId a = basins_.labels[cell];
       const BasinId b = step == kToExterior ? static_cast<BasinId>(basins_.roots.size() - 1)
                                             : basins_.labels[cell + cells_.offset(step)];
@@ -78,9 +80,9 @@ private:
   }
 
   /// Sorts edges by decreasing value, those of equal value in the order K, and joins what the planes decide.
-  void join(const PlaneRange &planes, std::vector<SaddleEdge> &edges)
+  void join(const PlaneRange &planes, std::vector<SaddleEdge> &edges, std::vector<SaddleEdge> &second)
   {
-    radix_sort(edges, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
+    radix_sort(edges, second, [](const SaddleEdge &edge) { return descending_bits(edge.value); });
     join_basins(basins_.values, block_of(planes), edges, tree_);
   }
 

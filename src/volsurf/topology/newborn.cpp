@@ -1,79 +1,111 @@
 #include "volsurf/topology/newborn.h"
 
-#include "volsurf/core/vectorise.h"
-
-#include <algorithm>
-
 namespace volsurf {
 
 namespace {
 
-constexpr NewbornMask kNone = 0;
-constexpr NewbornMask kAll = ~kNone;
+/// A block of a row.
+struct BlockRows {
+  /// Where the samples come before their neighbours at an offset.
+  template <int Dx, int Dy, int Dz> VOLSURF_LANES_INLINE SampleBits before() const
+  {
+    constexpr int kNumber = neighbour_number(Dx, Dy, Dz);
+    if constexpr (kNumber < kLowerNeighbours)
+      return lanes_at<SampleBits>(rows.row + at + kLanes * kNumber);
+    OrderRow neighbours = rows.row;
+    if constexpr (Dz > 0)
+      neighbours = rows.above[Dy + 1];
+    else if constexpr (Dy > 0)
+      neighbours = rows.next;
+    neighbours += at + kLanes * (26 - kNumber);
+    const SampleBits after = lanes_at<SampleBits>(neighbours); // where those neighbours come before the samples
+    if constexpr (Dx > 0)
+      return ~from_higher(after, is_last ? kNoSamples : lanes_at<SampleBits>(neighbours + kBlockWords));
+    if constexpr (Dx < 0)
+      return ~from_lower(after, is_first ? kNoSamples : lanes_at<SampleBits>(neighbours - kBlockWords));
+    return ~after;
+  }
 
-/// All ones where the middle sample v comes before a neighbour of lower linear index, which wins ties.
-inline NewbornMask before_lower(float v, float neighbour)
+  const StarRows &rows;
+  std::int64_t at; // words before the block
+  bool is_first;
+  bool is_last;
+};
+
+/// By bit of the pattern.
+struct NewbornBits {
+  SampleBits of[kMaskBits];
+};
+
+VOLSURF_LANES_INLINE NewbornBits newborn_in_block(const BlockRows &v)
 {
-  return v > neighbour ? kAll : kNone;
+  const SampleBits xl = v.before<-1, 0, 0>();
+  const SampleBits xh = v.before<1, 0, 0>();
+  const SampleBits yl = v.before<0, -1, 0>();
+  const SampleBits yh = v.before<0, 1, 0>();
+  const SampleBits zl = v.before<0, 0, -1>();
+  const SampleBits zh = v.before<0, 0, 1>();
+
+  // A face is newborn if v comes before its other three corners; the suffix tells its sides, lower axis first.
+  const SampleBits x_ll = yl & zl & v.before<0, -1, -1>();
+  const SampleBits x_hl = yh & zl & v.before<0, 1, -1>();
+  const SampleBits x_lh = yl & zh & v.before<0, -1, 1>();
+  const SampleBits x_hh = yh & zh & v.before<0, 1, 1>();
+  const SampleBits y_ll = xl & zl & v.before<-1, 0, -1>();
+  const SampleBits y_hl = xh & zl & v.before<1, 0, -1>();
+  const SampleBits y_lh = xl & zh & v.before<-1, 0, 1>();
+  const SampleBits y_hh = xh & zh & v.before<1, 0, 1>();
+  const SampleBits z_ll = xl & yl & v.before<-1, -1, 0>();
+  const SampleBits z_hl = xh & yl & v.before<1, -1, 0>();
+  const SampleBits z_lh = xl & yh & v.before<-1, 1, 0>();
+  const SampleBits z_hh = xh & yh & v.before<1, 1, 0>();
+
+  // A cell is newborn if its three faces at v are and v comes before the corner opposite to v.
+  return {{x_ll & y_ll & z_ll & v.before<-1, -1, -1>(),
+           x_ll & y_hl & z_hl & v.before<1, -1, -1>(),
+           x_hl & y_ll & z_lh & v.before<-1, 1, -1>(),
+           x_hl & y_hl & z_hh & v.before<1, 1, -1>(),
+           x_lh & y_lh & z_ll & v.before<-1, -1, 1>(),
+           x_lh & y_hh & z_hl & v.before<1, -1, 1>(),
+           x_hh & y_lh & z_lh & v.before<-1, 1, 1>(),
+           x_hh & y_hh & z_hh & v.before<1, 1, 1>(),
+           x_ll,
+           x_hl,
+           x_lh,
+           x_hh,
+           y_ll,
+           y_hl,
+           y_lh,
+           y_hh,
+           z_ll,
+           z_hl,
+           z_lh,
+           z_hh}};
 }
 
-/// The same for a neighbour of higher linear index.
-inline NewbornMask before_higher(float v, float neighbour)
-{
-  return v >= neighbour ? kAll : kNone;
-}
+constexpr unsigned kLowX = 0x55; // octants at the low side along x
+constexpr unsigned kHighX = 0xAA;
 
 } // namespace
 
 VOLSURF_VECTORISE
-void newborn_masks(const StarRows &rows, std::int64_t count, NewbornMask *masks)
+void find_newborn(const StarRows &rows, std::int64_t y, std::int64_t z, const BorderRule &border,
+                  std::uint32_t *newborn)
 {
-  const float *const r00 = rows[0]; // r<z><y>: 0 below, 1 level, 2 above
-  const float *const r01 = rows[1];
-  const float *const r02 = rows[2];
-  const float *const r10 = rows[3];
-  const float *const r11 = rows[4];
-  const float *const r12 = rows[5];
-  const float *const r20 = rows[6];
-  const float *const r21 = rows[7];
-  const float *const r22 = rows[8];
-  for (std::int64_t x = 0; x < count; ++x) {
-    const float v = r11[x];
-    const NewbornMask xl = before_lower(v, r11[x - 1]);
-    const NewbornMask xh = before_higher(v, r11[x + 1]);
-    const NewbornMask yl = before_lower(v, r10[x]);
-    const NewbornMask yh = before_higher(v, r12[x]);
-    const NewbornMask zl = before_lower(v, r01[x]);
-    const NewbornMask zh = before_higher(v, r21[x]);
-
-    // A face is newborn if v comes before its other three corners; the suffix tells its sides, lower axis first.
-    const NewbornMask x_ll = yl & zl & before_lower(v, r00[x]);
-    const NewbornMask x_hl = yh & zl & before_lower(v, r02[x]);
-    const NewbornMask x_lh = yl & zh & before_higher(v, r20[x]);
-    const NewbornMask x_hh = yh & zh & before_higher(v, r22[x]);
-    const NewbornMask y_ll = xl & zl & before_lower(v, r01[x - 1]);
-    const NewbornMask y_hl = xh & zl & before_lower(v, r01[x + 1]);
-    const NewbornMask y_lh = xl & zh & before_higher(v, r21[x - 1]);
-    const NewbornMask y_hh = xh & zh & before_higher(v, r21[x + 1]);
-    const NewbornMask z_ll = xl & yl & before_lower(v, r10[x - 1]);
-    const NewbornMask z_hl = xh & yl & before_lower(v, r10[x + 1]);
-    const NewbornMask z_lh = xl & yh & before_higher(v, r12[x - 1]);
-    const NewbornMask z_hh = xh & yh & before_higher(v, r12[x + 1]);
-
-    // A cell is newborn if its three faces at v are and v comes before the corner opposite to v.
-    const NewbornMask c0 = x_ll & y_ll & z_ll & before_lower(v, r00[x - 1]);
-    const NewbornMask c1 = x_ll & y_hl & z_hl & before_lower(v, r00[x + 1]);
-    const NewbornMask c2 = x_hl & y_ll & z_lh & before_lower(v, r02[x - 1]);
-    const NewbornMask c3 = x_hl & y_hl & z_hh & before_lower(v, r02[x + 1]);
-    const NewbornMask c4 = x_lh & y_lh & z_ll & before_higher(v, r20[x - 1]);
-    const NewbornMask c5 = x_lh & y_hh & z_hl & before_higher(v, r20[x + 1]);
-    const NewbornMask c6 = x_hh & y_lh & z_lh & before_higher(v, r22[x - 1]);
-    const NewbornMask c7 = x_hh & y_hh & z_hh & before_higher(v, r22[x + 1]);
-
-    masks[x] = (c0 & 1U << 0) | (c1 & 1U << 1) | (c2 & 1U << 2) | (c3 & 1U << 3) | (c4 & 1U << 4) | (c5 & 1U << 5) |
-               (c6 & 1U << 6) | (c7 & 1U << 7) | (x_ll & 1U << 8) | (x_hl & 1U << 9) | (x_lh & 1U << 10) |
-               (x_hh & 1U << 11) | (y_ll & 1U << 12) | (y_hl & 1U << 13) | (y_lh & 1U << 14) | (y_hh & 1U << 15) |
-               (z_ll & 1U << 16) | (z_hl & 1U << 17) | (z_lh & 1U << 18) | (z_hh & 1U << 19);
+  const std::int64_t count = border.samples()[0];
+  const unsigned real = border.real_cells_in_row(y, z);
+  for (std::int64_t begin = 0; begin < count; begin += kBlockSamples, newborn += kNewbornWords) {
+    const bool is_first = begin == 0;
+    const bool is_last = begin + kBlockSamples >= count;
+    NewbornBits bits = newborn_in_block({rows, begin / kBlockSamples * kBlockWords, is_first, is_last});
+    for (int octant = 0; octant < kOctants; ++octant) {
+      SampleBits outside = (real >> octant & 1U) != 0 ? kNoSamples : ~kNoSamples;
+      outside |= is_first && (kLowX >> octant & 1U) != 0 ? sample_bit(0) : kNoSamples;
+      outside |= is_last && (kHighX >> octant & 1U) != 0 ? sample_bit(count - 1 - begin) : kNoSamples;
+      bits.of[octant] &= ~outside;
+    }
+    for (int i = 0; i < kMaskBits; ++i)
+      lanes_at<SampleBits>(newborn + kLanes * i) = bits.of[i];
   }
 }
 

@@ -37,11 +37,11 @@ VOLSURF_LANES_INLINE Float32x8 least(Float32x8 lanes)
 }
 
 /// Loads the values two at a time: single ones, stored and loaded again as a whole, would stall the loads.
-VOLSURF_LANES_INLINE Float32x8 values_of(const Star &star)
+VOLSURF_LANES_INLINE Float32x8 octants_at(const OctantRows &values, std::int64_t x)
 {
-  const auto pair = [&](int i) {
-    double both;
-    std::memcpy(&both, star.pairs[i], sizeof both);
+  const auto pair = [&](std::size_t i) {
+    double both = 0;
+    std::memcpy(&both, values[i] + x, sizeof both);
     return both;
   };
   const Float64x4 pairs = {pair(0), pair(1), pair(2), pair(3)};
@@ -50,18 +50,18 @@ VOLSURF_LANES_INLINE Float32x8 values_of(const Star &star)
 
 /// The first faces in K of the newborn octants. They lead to those neighbours that are not newborn and have the largest
 /// I, ties to the lowest axis; where all three are newborn, the table tells.
-VOLSURF_LANES_INLINE unsigned first_faces(const Star &star, const Float32x8 &values, const StarTables &tables)
+VOLSURF_LANES_INLINE unsigned first_faces(unsigned cells, const Float32x8 &values, const StarTables &tables)
 {
-  const Float32x8 old = lanes_of_set(star.cells) ? Float32x8{} - kInfinity : values;
+  const Float32x8 old = lanes_of_set(cells) ? Float32x8{} - kInfinity : values;
   const Float32x8 x = across<0>(old);
   const Float32x8 y = across<1>(old);
   const Float32x8 z = across<2>(old);
-  const unsigned next_to_old = star.cells & ~tables.deep[star.cells];
+  const unsigned next_to_old = cells & ~tables.deep[cells];
   const unsigned along_z = next_to_old & set_of_lanes(z > (y > x ? y : x));
   const unsigned along_y = next_to_old & ~along_z & set_of_lanes(y > x);
   const unsigned along_x = next_to_old & ~along_z & ~along_y;
   return tables.faces_across[0][along_x] | tables.faces_across[1][along_y] | tables.faces_across[2][along_z] |
-         tables.deep_faces[star.cells];
+         tables.deep_faces[cells];
 }
 
 /// -I of the steepest cell of each face.
@@ -89,26 +89,37 @@ VOLSURF_LANES_INLINE int steepest_face(unsigned faces, const Descents &descents)
   return __builtin_ctz(set_of_lanes(low == steepest) | set_of_lanes(high == steepest) << 8);
 }
 
-} // namespace
-
-// The number of faces is known beforehand, so that a loop that was expected to go on is left early.
-VOLSURF_VECTORISE
-SaddleFaces find_saddle_faces(const Star &star, unsigned parts_outside)
+/// The number of faces is known beforehand, so that a loop that was expected to go on is left early.
+VOLSURF_LANES_INLINE SaddleFaces saddle_faces(const StarPattern &star, const Float32x8 &values, unsigned present,
+                                              const StarTables &tables)
 {
-  const StarTables &tables = star_tables();
-  const Float32x8 values = values_of(star);
+  const unsigned cells = newborn_cells(star.mask);
+  const unsigned faces = newborn_faces(star.mask);
   const Descents descents = descents_of_faces(values);
-  const unsigned inner = tables.inner_faces[star.present];
-  unsigned separating = star.faces & ~first_faces(star, values, tables);
+  const unsigned inner = tables.inner_faces[present];
+  unsigned separating = faces & ~first_faces(cells, values, tables);
+  unsigned parts = tables.parts_outside(cells, faces);
   SaddleFaces saddles;
   for (;;) {
     const unsigned joining = tables.joining[separating] & inner;
-    const int face = steepest_face(tables.of_first_layer(joining, star.cells), descents);
-    saddles.faces[saddles.count++] = static_cast<std::uint8_t>(face);
-    parts_outside &= parts_outside - 1;
-    if ((parts_outside & (parts_outside - 1)) == 0)
+    const int face = steepest_face(tables.of_first_layer(joining, cells), descents);
+    saddles.add(face);
+    parts &= parts - 1;
+    if ((parts & (parts - 1)) == 0)
       return saddles;
     separating &= ~(1U << face);
+  }
+}
+
+} // namespace
+
+VOLSURF_VECTORISE
+void find_saddle_faces(const PatternList &meeting, const OctantRows &values, Exterior exterior, SaddleFaces *faces)
+{
+  const StarTables &tables = star_tables();
+  for (const StarPattern &star : meeting) {
+    const unsigned present = exterior == Exterior::none ? star.real_cells : kAllOctants;
+    *faces++ = saddle_faces(star, octants_at(values, star.x), present, tables);
   }
 }
 
