@@ -26,10 +26,11 @@ std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
 }
 
 /// From the last rank to the first: a basin's way to the elder side, past all those of later rank, which are linked to
-/// their ancestors by then.
-std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank)
+/// their ancestors by then. Puts the ancestors in place of the elder sides. `linked` is memory at hand: new memory
+/// takes long.
+void find_elder_ancestors(std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank,
+                          std::vector<BasinId> linked)
 {
-  std::vector<BasinId> linked(elder_side.size());
   std::iota(linked.begin(), linked.end(), BasinId{0});
   const auto find = [&](BasinId basin) {
     while (linked[basin] != basin) {
@@ -39,17 +40,16 @@ std::vector<BasinId> first_elder_ancestors(const std::vector<BasinId> &elder_sid
     return basin;
   };
   constexpr std::size_t kAhead = 16; // basins of neighbouring ranks are anywhere in memory
-  std::vector<BasinId> ancestor(elder_side.size());
   for (std::size_t rank = by_rank.size(); rank-- > 0;) {
     if (rank >= 2 * kAhead) {
       __builtin_prefetch(&elder_side[by_rank[rank - 2 * kAhead]]);
       __builtin_prefetch(&linked[elder_side[by_rank[rank - kAhead]]]);
     }
     const BasinId basin = by_rank[rank];
-    ancestor[basin] = find(elder_side[basin]);
-    linked[basin] = ancestor[basin];
+    BasinId &ancestor = elder_side[basin];
+    ancestor = find(ancestor);
+    linked[basin] = ancestor;
   }
-  return ancestor;
 }
 
 constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
@@ -86,7 +86,8 @@ Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior)
   hierarchy.rank.resize(hierarchy.by_rank.size());
   for (std::uint32_t rank = 0; rank < hierarchy.by_rank.size(); ++rank)
     hierarchy.rank[hierarchy.by_rank[rank]] = rank;
-  hierarchy.ancestor = first_elder_ancestors(tree.elder_side, hierarchy.by_rank);
+  find_elder_ancestors(tree.elder_side, hierarchy.by_rank, std::move(tree.elder));
+  hierarchy.ancestor = std::move(tree.elder_side);
   return hierarchy;
 }
 
@@ -99,11 +100,12 @@ std::size_t Hierarchy::region_count(double delta) const
 
 Regions cut(const Hierarchy &hierarchy, double delta)
 {
-  const std::size_t basins = hierarchy.basin_count();
-  const std::vector<std::uint32_t> survivor = find_survivors(hierarchy, hierarchy.region_count(delta));
+  Regions regions;
+  std::vector<std::uint32_t> &of_basin = regions.of_basin; // the rank of its survivor first, its region in the end
+  of_basin = find_survivors(hierarchy, hierarchy.region_count(delta));
   std::vector<std::int64_t> cells(hierarchy.region_count(delta));
-  for (BasinId basin = 0; basin < basins; ++basin)
-    cells[survivor[basin]] += hierarchy.cell_counts[basin];
+  for (BasinId basin = 0; basin < of_basin.size(); ++basin)
+    cells[of_basin[basin]] += hierarchy.cell_counts[basin];
 
   std::vector<std::uint32_t> order(cells.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -111,15 +113,14 @@ Regions cut(const Hierarchy &hierarchy, double delta)
     return cells[a] != cells[b] ? cells[a] > cells[b] : hierarchy.by_rank[a] < hierarchy.by_rank[b];
   });
 
-  Regions regions;
   std::vector<RegionId> id(cells.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     id[order[i]] = static_cast<RegionId>(i + 1);
     regions.maxima.push_back(hierarchy.by_rank[order[i]]);
     regions.cell_counts.push_back(cells[order[i]]);
   }
-  regions.of_basin.resize(basins);
-  std::transform(survivor.begin(), survivor.end(), regions.of_basin.begin(), [&](std::uint32_t s) { return id[s]; });
+  for (std::uint32_t &region : of_basin)
+    region = id[region];
   return regions;
 }
 
