@@ -1,12 +1,11 @@
 #include "volsurf/core/radix_sort.h"
 
-#include "support/fields.h"
+#include "support/any_float.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
 using namespace volsurf;
 using namespace volsurf::support;
@@ -21,23 +20,6 @@ struct Item {
 bool operator==(const Item &a, const Item &b)
 {
   return a.key == b.key && a.place == b.place;
-}
-
-/// Any number but NaN: often one of few, which ties, or one at an end.
-float any_float(Dice &dice)
-{
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  constexpr std::array<float, 8> kSpecial{
-      0.0F,      -0.0F,      std::numeric_limits<float>::denorm_min(), -std::numeric_limits<float>::denorm_min(),
-      kInfinity, -kInfinity, std::numeric_limits<float>::max(),        std::numeric_limits<float>::lowest()};
-  if (dice.one_in(3))
-    return kSpecial[static_cast<std::size_t>(dice.between(0, 7))];
-  if (dice.one_in(2))
-    return static_cast<float>(dice.between(-3, 3));
-  const auto bits = static_cast<std::uint32_t>(dice.between(0, 0xFFFFFFFF));
-  float value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value == value ? value : 0.0F;
 }
 
 } // namespace

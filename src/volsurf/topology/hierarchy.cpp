@@ -1,8 +1,11 @@
 #include "volsurf/topology/hierarchy.h"
 
-#include "volsurf/core/radix_sort.h"
+#include "volsurf/core/descending_order.h"
+#include "volsurf/core/parallel.h"
+#include "volsurf/topology/elder_ancestors.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -10,65 +13,80 @@ namespace volsurf {
 
 namespace {
 
-std::vector<BasinId> sort_by_persistence(const std::vector<float> &persistence)
-{
-  struct Ranked { // with its key, so that no pass of the sort looks for it all over memory
-    std::uint32_t key;
-    BasinId basin;
-  };
-  std::vector<Ranked> basins(persistence.size());
-  for (BasinId basin = 0; basin < basins.size(); ++basin)
-    basins[basin] = {descending_bits(persistence[basin]), basin};
-  radix_sort(basins, [](const Ranked &ranked) { return ranked.key; });
-  std::vector<BasinId> by_rank(basins.size());
-  std::transform(basins.begin(), basins.end(), by_rank.begin(), [](const Ranked &ranked) { return ranked.basin; });
-  return by_rank;
-}
+constexpr std::int64_t kBasinsPerSlab = 1 << 14;
 
-/// From the last rank to the first: a basin's way to the elder side, past all those of later rank, which are linked to
-/// their ancestors by then. Puts the ancestors in place of the elder sides. `linked` is memory at hand: new memory
-/// takes long.
-void find_elder_ancestors(std::vector<BasinId> &elder_side, const std::vector<BasinId> &by_rank,
-                          std::vector<BasinId> linked)
+/// Puts the inverse of by_rank into `rank`.
+void invert(const std::vector<BasinId> &by_rank, std::vector<std::uint32_t> &rank)
 {
-  std::iota(linked.begin(), linked.end(), BasinId{0});
-  const auto find = [&](BasinId basin) {
-    while (linked[basin] != basin) {
-      linked[basin] = linked[linked[basin]];
-      basin = linked[basin];
-    }
-    return basin;
-  };
-  constexpr std::size_t kAhead = 16; // basins of neighbouring ranks are anywhere in memory
-  for (std::size_t rank = by_rank.size(); rank-- > 0;) {
-    if (rank >= 2 * kAhead) {
-      __builtin_prefetch(&elder_side[by_rank[rank - 2 * kAhead]]);
-      __builtin_prefetch(&linked[elder_side[by_rank[rank - kAhead]]]);
-    }
-    const BasinId basin = by_rank[rank];
-    BasinId &ancestor = elder_side[basin];
-    ancestor = find(ancestor);
-    linked[basin] = ancestor;
-  }
+  parallel_for_slabs(static_cast<std::int64_t>(by_rank.size()), kBasinsPerSlab, [&](const Slab &ranks) {
+    for (std::int64_t i = ranks.begin; i < ranks.end; ++i)
+      rank[by_rank[i]] = static_cast<std::uint32_t>(i);
+  });
 }
 
 constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint32_t>::max();
 
-/// The rank of the one basin in the region of each that survives: the survivors are the first ranks, and each other
-/// basin is in the region of its ancestor.
-std::vector<std::uint32_t> find_survivors(const Hierarchy &hierarchy, std::size_t survivors)
-{
-  std::vector<std::uint32_t> survivor(hierarchy.basin_count(), kUnknown);
-  for (std::uint32_t rank = 0; rank < survivors; ++rank)
-    survivor[hierarchy.by_rank[rank]] = rank;
-  for (BasinId basin = 0; basin < survivor.size(); ++basin) {
-    BasinId last = basin;
-    while (survivor[last] == kUnknown)
-      last = hierarchy.ancestor[last];
-    for (BasinId passed = basin; passed != last; passed = hierarchy.ancestor[passed])
-      survivor[passed] = survivor[last];
+/// Adds to the cells of regions, as other threads do: those of the first ones, few of which have nearly all cells, at
+/// once.
+class RegionCells {
+public:
+  explicit RegionCells(std::vector<std::int64_t> &cells) : cells_(cells) {}
+  RegionCells(const RegionCells &) = delete;
+  RegionCells &operator=(const RegionCells &) = delete;
+  ~RegionCells()
+  {
+    for (std::uint32_t region = 0; region < std::min(first_.size(), cells_.size()); ++region)
+      if (first_[region] > 0)
+        put_down(region, first_[region]);
   }
+
+  void add(std::uint32_t region, std::int64_t cells)
+  {
+    if (region < first_.size())
+      first_[region] += cells;
+    else
+      put_down(region, cells);
+  }
+
+private:
+  void put_down(std::uint32_t region, std::int64_t cells)
+  {
+    __atomic_fetch_add(&cells_[region], cells, __ATOMIC_RELAXED);
+  }
+
+  std::array<std::int64_t, 256> first_{};
+  std::vector<std::int64_t> &cells_;
+};
+
+/// The rank of the one basin in the region of `basin` that survives, found by the ancestors up to one of known
+/// survivor. It gets known for all on the way. Other threads may do the same: they find the same.
+std::uint32_t find_survivor(const Hierarchy &hierarchy, BasinId basin, std::vector<std::uint32_t> &survivors)
+{
+  const auto survivor_of = [&](BasinId b) { return __atomic_load_n(&survivors[b], __ATOMIC_RELAXED); };
+  BasinId last = basin;
+  std::uint32_t survivor = survivor_of(last);
+  while (survivor == kUnknown) {
+    last = hierarchy.ancestor[last];
+    survivor = survivor_of(last);
+  }
+  for (BasinId passed = basin; passed != last; passed = hierarchy.ancestor[passed])
+    __atomic_store_n(&survivors[passed], survivor, __ATOMIC_RELAXED);
   return survivor;
+}
+
+/// Per basin the rank of the one in its region that survives, and the regions' cells by that rank: the survivors are
+/// the first ranks, and each other basin is in the region of its ancestor.
+std::vector<std::uint32_t> find_survivors(const Hierarchy &hierarchy, std::vector<std::int64_t> &cells)
+{
+  std::vector<std::uint32_t> survivors(hierarchy.basin_count(), kUnknown);
+  for (std::uint32_t rank = 0; rank < cells.size(); ++rank)
+    survivors[hierarchy.by_rank[rank]] = rank;
+  parallel_for_slabs(static_cast<std::int64_t>(survivors.size()), kBasinsPerSlab, [&](const Slab &slab) {
+    RegionCells sums(cells);
+    for (auto basin = static_cast<BasinId>(slab.begin); basin < slab.end; ++basin)
+      sums.add(find_survivor(hierarchy, basin, survivors), hierarchy.cell_counts[basin]);
+  });
+  return survivors;
 }
 
 } // namespace
@@ -82,11 +100,10 @@ Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior)
   if (exterior == Exterior::infinite)
     hierarchy.exterior = static_cast<BasinId>(hierarchy.roots.size() - 1);
   hierarchy.persistence = std::move(tree.persistence);
-  hierarchy.by_rank = sort_by_persistence(hierarchy.persistence);
-  hierarchy.rank.resize(hierarchy.by_rank.size());
-  for (std::uint32_t rank = 0; rank < hierarchy.by_rank.size(); ++rank)
-    hierarchy.rank[hierarchy.by_rank[rank]] = rank;
-  find_elder_ancestors(tree.elder_side, hierarchy.by_rank, std::move(tree.elder));
+  hierarchy.by_rank = descending_order(hierarchy.persistence, tree.elder);
+  hierarchy.rank = std::move(tree.elder); // memory at hand: new memory takes long
+  invert(hierarchy.by_rank, hierarchy.rank);
+  find_elder_ancestors(hierarchy.by_rank, hierarchy.rank, tree.elder_side);
   hierarchy.ancestor = std::move(tree.elder_side);
   return hierarchy;
 }
@@ -102,10 +119,8 @@ Regions cut(const Hierarchy &hierarchy, double delta)
 {
   Regions regions;
   std::vector<std::uint32_t> &of_basin = regions.of_basin; // the rank of its survivor first, its region in the end
-  of_basin = find_survivors(hierarchy, hierarchy.region_count(delta));
   std::vector<std::int64_t> cells(hierarchy.region_count(delta));
-  for (BasinId basin = 0; basin < of_basin.size(); ++basin)
-    cells[of_basin[basin]] += hierarchy.cell_counts[basin];
+  of_basin = find_survivors(hierarchy, cells);
 
   std::vector<std::uint32_t> order(cells.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -119,8 +134,10 @@ Regions cut(const Hierarchy &hierarchy, double delta)
     regions.maxima.push_back(hierarchy.by_rank[order[i]]);
     regions.cell_counts.push_back(cells[order[i]]);
   }
-  for (std::uint32_t &region : of_basin)
-    region = id[region];
+  parallel_for_slabs(static_cast<std::int64_t>(of_basin.size()), kBasinsPerSlab, [&](const Slab &slab) {
+    for (std::int64_t basin = slab.begin; basin < slab.end; ++basin)
+      of_basin[basin] = id[of_basin[basin]];
+  });
   return regions;
 }
 

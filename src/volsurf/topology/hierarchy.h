@@ -35,7 +35,8 @@ struct Hierarchy {
   float largest_persistence() const { return by_rank.size() > 1 ? persistence[by_rank[1]] : 0.0F; }
 };
 
-/// Takes the arrays of `basins` but its labels, and those of the tree. O(basins).
+/// Takes the arrays of `basins` but its labels, and those of the tree. O(basins log basins), and O(basins) where ways
+/// in the tree are as short as those in volumes (elder_ancestors.h).
 Hierarchy make_hierarchy(Basins &basins, BasinTree &tree, Exterior exterior);
 
 /// The regions at one delta.
