@@ -1,6 +1,6 @@
 #include "volsurf/topology/background.h"
 
-#include "support/fields.h"
+#include "support/basin_trees.h"
 #include "support/label_volumes.h"
 #include "support/merge_of_field.h"
 
@@ -31,6 +31,17 @@ std::int64_t border_faces_of(const RegionMerge &merge, BasinId survivor, std::si
   return faces;
 }
 
+/// The faces of all basins whose survivor is the given one.
+std::int64_t faces_of(const Hierarchy &hierarchy, const std::vector<std::int64_t> &border_faces, BasinId survivor,
+                      std::size_t survivors)
+{
+  std::int64_t faces = 0;
+  for (BasinId basin = 0; basin < border_faces.size(); ++basin)
+    if (survivor_of(hierarchy, basin, survivors) == survivor)
+      faces += border_faces[basin];
+  return faces;
+}
+
 } // namespace
 
 RC_GTEST_PROP(CountBorderFaces, CountsTheCapsOfEachBasin, ())
@@ -58,6 +69,23 @@ RC_GTEST_PROP(FindBackground, WhereABackgroundFallsApartThePartWithMoreBorderFac
       background = part;
     RC_ASSERT(survivor_of(hierarchy, hierarchy.background, survivors) == background);
   }
+}
+
+RC_GTEST_PROP(FindBackground, IsAsDefinedWhereFewBasinsAreAtTheBorder, ())
+{
+  Dice dice(*random_seed());
+  const Hierarchy hierarchy = hierarchy_of(random_tree(static_cast<std::size_t>(dice.between(1, 40)), dice));
+  std::vector<std::int64_t> border_faces(hierarchy.basin_count());
+  for (std::int64_t &faces : border_faces)
+    faces = dice.one_in(4) ? dice.between(1, 3) : 0;
+  BasinId background = hierarchy.by_rank.front();
+  for (std::size_t survivors = 2; survivors <= hierarchy.basin_count(); ++survivors) {
+    const BasinId part = hierarchy.by_rank[survivors - 1];
+    if (hierarchy.ancestor[part] == background &&
+        faces_of(hierarchy, border_faces, part, survivors) > faces_of(hierarchy, border_faces, background, survivors))
+      background = part;
+  }
+  RC_ASSERT(find_background(hierarchy, border_faces) == background);
 }
 
 RC_GTEST_PROP(FindBackground, IsTheExteriorsBasinWhereThereIsOne, ())

@@ -15,7 +15,7 @@ namespace volsurf {
 std::vector<std::int64_t> count_border_faces(const CellLabels &cells, std::size_t basins);
 
 /// The basin that every background holds, of a hierarchy without exterior. Of parts with as many border faces the one
-/// on the elder side remains the background. O(basins + n log n) for n basins at the border and above those.
+/// on the elder side remains the background. O(basins).
 BasinId find_background(const Hierarchy &hierarchy, std::vector<std::int64_t> border_faces);
 
 } // namespace volsurf
