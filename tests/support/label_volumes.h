@@ -7,6 +7,7 @@
 #include "volsurf/topology/hierarchy.h"
 
 #include <numeric>
+#include <utility>
 
 namespace volsurf::support {
 
@@ -73,11 +74,11 @@ inline Sides hull_sides(const LabelledCells &labels)
 /// The mesh of all faces. A face's saliency is the larger basin plus a half.
 inline Mesh mesh_of(const LabelledCells &labels, const Grid &grid, const Sides &sides, bool manifold)
 {
-  const FaceSet faces = find_boundary(labels.cells, sides);
+  FaceSet faces = find_boundary(labels.cells, sides);
   const Components components = find_components(faces, grid, {});
   const RegionsOfCells regions{labels.cells, labels.region_of_basin, 1, 0,
                                [](BasinId a, BasinId b) { return static_cast<float>(std::max(a, b)) + 0.5F; }};
-  return extract_mesh(keep_components(faces, components), grid, sides, regions, manifold);
+  return extract_mesh(keep_components(std::move(faces), components), grid, sides, regions, manifold);
 }
 
 inline Grid grid_of(const Index3 &cells)

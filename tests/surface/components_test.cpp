@@ -189,7 +189,7 @@ RC_GTEST_PROP(Components, KeptFacesAreThoseOfTheFirstComponents, ())
   RC_PRE(c.faces.size() > 0);
   const Components components = find_components(c.faces, c.grid, {KeepCount{2}, RankBy::faces});
   RC_ASSERT(components.kept == std::min<std::size_t>(2, components.count()));
-  const KeptFaces kept = keep_components(c.faces, components);
+  const KeptFaces kept = keep_components(find_boundary(c.labels.cells, all_sides(c.labels)), components);
   c.faces.for_each(0, c.faces.samples()[2], [&](FaceIndex index, const FacePosition &face) {
     const auto &[x, y, z] = face.corner;
     const bool is_kept = components.of_face[index] <= components.kept;

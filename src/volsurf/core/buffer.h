@@ -21,6 +21,17 @@ public:
   Buffer() = default;
   explicit Buffer(std::int64_t size) : data_(allocate(static_cast<std::size_t>(size) * sizeof(T))), size_(size) {}
 
+  /// Zeros, which cost nothing where they are never written: the system has pages of them at hand.
+  static Buffer zeros(std::int64_t size)
+  {
+    Buffer buffer;
+    buffer.data_.reset(static_cast<T *>(std::calloc(static_cast<std::size_t>(size) + 1, sizeof(T))));
+    buffer.size_ = size;
+    if (buffer.data_ == nullptr)
+      throw std::bad_alloc();
+    return buffer;
+  }
+
   T *data() { return data_.get(); }
   const T *data() const { return data_.get(); }
   std::int64_t size() const { return size_; }

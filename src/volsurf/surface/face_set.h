@@ -1,10 +1,10 @@
 // A set of faces of the cubical complex as bit planes.
 #pragma once
 
+#include "volsurf/core/buffer.h"
 #include "volsurf/core/grid.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace volsurf {
 
@@ -48,7 +48,7 @@ public:
   /// The index of a face of the set.
   FaceIndex index_of(int axis, std::int64_t x, std::int64_t y, std::int64_t z) const
   {
-    const std::size_t word = row_start(axis, y, z) + static_cast<std::size_t>(x >> 6);
+    const std::int64_t word = row_start(axis, y, z) + (x >> 6);
     const std::uint64_t before = words_[word] & ((std::uint64_t{1} << (x & 63)) - 1);
     return faces_before_[word] + static_cast<FaceIndex>(__builtin_popcountll(before));
   }
@@ -56,7 +56,7 @@ public:
   /// The number of faces before word `word` of a row.
   FaceIndex faces_before(int axis, std::int64_t word, std::int64_t y, std::int64_t z) const
   {
-    return faces_before_[row_start(axis, y, z) + static_cast<std::size_t>(word)];
+    return faces_before_[row_start(axis, y, z) + word];
   }
 
   /// The number of faces before plane z (0 .. samples()[2]).
@@ -89,15 +89,15 @@ public:
   }
 
 private:
-  std::size_t row_start(int axis, std::int64_t y, std::int64_t z) const
+  std::int64_t row_start(int axis, std::int64_t y, std::int64_t z) const
   {
-    return static_cast<std::size_t>(((z * samples_[1] + y) * 3 + axis) * words_per_row_);
+    return ((z * samples_[1] + y) * 3 + axis) * words_per_row_;
   }
 
   Index3 samples_;
   std::int64_t words_per_row_;
-  std::vector<std::uint64_t> words_;
-  std::vector<FaceIndex> faces_before_;
+  Buffer<std::uint64_t> words_;
+  Buffer<FaceIndex> faces_before_;
   FaceIndex size_ = 0;
 };
 
