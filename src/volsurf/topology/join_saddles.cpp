@@ -4,6 +4,7 @@
 #include "volsurf/core/radix_sort.h"
 
 #include <algorithm>
+#include <array>
 
 namespace volsurf {
 
@@ -26,6 +27,8 @@ public:
   SaddleJoiner(const CellGrid &cells, const Basins &basins, StarSweep &sweep)
       : cells_(cells), basins_(basins), sweep_(sweep), tree_(basins.roots.size())
   {
+    for (Step step = 0; step < kNoStep; ++step)
+      offsets_[step] = cells.offset(step);
   }
 
   /// Returns the edges of a block's planes that are left.
@@ -66,17 +69,22 @@ private:
       }
   }
 
+  /// Writes each edge and keeps it where it joins two basins, which no branch could foresee.
   void add_edges(const std::vector<Saddle> &saddles, const StripFaces &faces, std::vector<SaddleEdge> &edges) const
   {
+    const BasinId *const labels = basins_.labels.data();
+    const auto exterior = static_cast<BasinId>(basins_.roots.size() - 1);
+    std::size_t count = edges.size();
+    edges.resize(count + saddles.size());
     for (const Saddle &saddle : saddles) {
       const CellId cell = faces.cell(saddle.face);
       const Step step = StripFaces::step(saddle.face);
-      const BasinId a = basins_.labels[cell];
-      const BasinId b = step == kToExterior ? static_cast<BasinId>(basins_.roots.size() - 1)
-                                            : basins_.labels[cell + cells_.offset(step)];
-      if (a != b)
-        edges.push_back({saddle.value, a, b});
+      const BasinId a = labels[cell];
+      const BasinId b = step == kToExterior ? exterior : labels[cell + offsets_[step]];
+      edges[count] = {saddle.value, a, b};
+      count += a != b ? 1 : 0;
     }
+    edges.resize(count);
   }
 
   /// Sorts edges by decreasing value, those of equal value in the order K, and joins what the planes decide.
@@ -126,6 +134,7 @@ private:
   const Basins &basins_;
   StarSweep &sweep_;
   BasinTree tree_;
+  std::array<std::int64_t, kNoStep> offsets_{}; // of steps
 };
 
 } // namespace
