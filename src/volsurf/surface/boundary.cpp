@@ -1,7 +1,7 @@
 #include "volsurf/surface/boundary.h"
 
+#include "volsurf/core/differences.h"
 #include "volsurf/core/parallel.h"
-#include "volsurf/core/vectorise.h"
 
 #include <algorithm>
 
@@ -11,15 +11,12 @@ namespace {
 
 constexpr std::int64_t kPlanesPerSlab = 16;
 
-/// Words that may be read beyond the last row of a plane.
-constexpr std::int64_t kSlack = 64;
-
 /// One plane of the cells' sides with a frame of what lies outside around it.
 class SidePlane {
 public:
   SidePlane(const CellLabels &cells, const Sides &sides)
       : cells_(&cells), sides_(&sides), stride_(cells.size[0] + 2),
-        values_(static_cast<std::size_t>(stride_ * (cells.size[1] + 2) + kSlack), sides.outside)
+        values_(static_cast<std::size_t>(stride_ * (cells.size[1] + 2)), sides.outside)
   {
   }
 
@@ -47,27 +44,6 @@ private:
   std::int64_t stride_;
   std::vector<RegionId> values_;
 };
-
-/// Sets bit x of the words where a[x] != b[x], 0 <= x < count. Reads up to 63 more of both.
-VOLSURF_VECTORISE
-void mark_differences(const RegionId *a, const RegionId *b, std::int64_t count, std::uint64_t *words)
-{
-  constexpr std::int64_t kBits = 64;
-  for (std::int64_t begin = 0; begin < count; begin += kBits) {
-    UInt32x8 any = {};
-    for (std::int64_t x = begin; x < begin + kBits; x += kLanes)
-      any |= lanes_at<UInt32x8>(a + x) ^ lanes_at<UInt32x8>(b + x);
-    if (set_of_lanes(any != 0) == 0)
-      continue; // as nearly everywhere
-    std::uint64_t word = 0;
-    for (std::int64_t x = 0; x < kBits; x += kLanes)
-      word |= static_cast<std::uint64_t>(
-                  set_of_lanes(lanes_at<UInt32x8>(a + begin + x) != lanes_at<UInt32x8>(b + begin + x)))
-              << x;
-    const std::int64_t left = count - begin;
-    words[begin / kBits] = left < kBits ? word & ((std::uint64_t{1} << left) - 1) : word;
-  }
-}
 
 /// The faces with their lowest corner in sample plane z, between the planes of cells below and above it.
 void mark_plane(const SidePlane &below, const SidePlane &above, const Index3 &cells, std::int64_t z, FaceSet &faces)

@@ -1,5 +1,6 @@
 #include "volsurf/topology/basins.h"
 
+#include "volsurf/core/differences.h"
 #include "volsurf/core/error.h"
 #include "volsurf/core/parallel.h"
 #include "volsurf/topology/step_entries.h"
@@ -56,7 +57,7 @@ class SlabLabeller {
 public:
   SlabLabeller(const CellGrid &cells, CellId begin, CellId end, BasinId exterior, Basins &basins, SlabExits &exits)
       : entries_(basins.labels.data() + begin), begin_(begin), size_(end - begin), row_(cells.row), plane_(cells.plane),
-        exterior_(exterior), basins_(basins), exits_(exits), runs_(static_cast<std::size_t>(cells.row))
+        exterior_(exterior), basins_(basins), exits_(exits), changes_(static_cast<std::size_t>((cells.row + 63) / 64))
   {
   }
 
@@ -115,42 +116,38 @@ private:
     return static_cast<BasinId>(label);
   }
 
-  /// Counts runs of cells with the same label at once, those of a row when it is done: a branch at each cell would be
-  /// mispredicted at each run.
   void read_backward()
   {
-    for (std::int64_t row_end = size_; row_end > 0; row_end -= row_)
-      count_runs(row_end, read_row_backward(row_end - row_, row_end));
+    for (std::int64_t row = size_ - row_; row >= 0; row -= row_) {
+      for (std::int64_t cell = row + row_ - 1; cell >= row; --cell)
+        read(cell);
+      count_row(row);
+    }
   }
 
-  /// Gives the cells of a row their labels. Returns the end of runs_, the beginnings of the row's runs, last run first.
-  const std::int64_t *read_row_backward(std::int64_t begin, std::int64_t end)
+  /// Counts runs of cells with the same label at once: a branch at each cell would be mispredicted at each run.
+  void count_row(std::int64_t row)
   {
-    std::int64_t *last_run = runs_.data();
-    BasinId label = read(end - 1);
-    *last_run = end - 1;
-    for (std::int64_t cell = end - 2; cell >= begin; --cell) {
-      const BasinId next = read(cell);
-      last_run += next != label ? 1 : 0;
-      *last_run = cell;
-      label = next;
+    std::fill(changes_.begin(), changes_.end(), std::uint64_t{0});
+    mark_differences(entries_ + row, entries_ + row + 1, row_ - 1, changes_.data());
+    std::int64_t begin = row;
+    std::int64_t word_begin = row;
+    for (std::uint64_t rest : changes_) {
+      for (; rest != 0; rest &= rest - 1) {
+        const std::int64_t end = word_begin + __builtin_ctzll(rest) + 1;
+        count(begin, end - begin);
+        begin = end;
+      }
+      word_begin += 64;
     }
-    return last_run + 1;
+    count(begin, row + row_ - begin);
   }
 
   /// Labels, without their flag, are negative numbers.
-  BasinId read(std::int64_t cell)
+  void read(std::int64_t cell)
   {
     const auto target = static_cast<std::int32_t>(entries_[cell] ^ kPointerFlag);
-    return entries_[cell] = entries_[std::max(target, static_cast<std::int32_t>(cell))];
-  }
-
-  void count_runs(std::int64_t row_end, const std::int64_t *runs_end)
-  {
-    for (const std::int64_t *run = runs_.data(); run != runs_end; ++run) {
-      count(*run, row_end - *run);
-      row_end = *run;
-    }
+    entries_[cell] = entries_[std::max(target, static_cast<std::int32_t>(cell))];
   }
 
   void count(std::int64_t begin, std::int64_t cells)
@@ -175,7 +172,7 @@ private:
   BasinId exterior_;
   Basins &basins_;
   SlabExits &exits_;
-  std::vector<std::int64_t> runs_; // of a row: where they begin
+  std::vector<std::uint64_t> changes_; // of a row: bit x where cells x and x + 1 have two labels
   std::int64_t exterior_cells_ = 0;
 };
 
