@@ -6,11 +6,12 @@
 #endif
 
 /// On a function whose loops the compiler turns into SIMD: one binary then runs on any x86-64 and uses AVX2 where there
-/// is AVX2. The arithmetic is the same in each version (no fused multiply-add), so the results are too. The sanitizers'
-/// run-time is not ready when the version is chosen, so they get the plain one.
+/// is AVX2, and on processors with AVX-512 what that has for vectors of the same width: masks, and logic of three
+/// operands. The arithmetic is the same in each version (no fused multiply-add), so the results are too. The
+/// sanitizers' run-time is not ready when the version is chosen, so they get the plain one.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
     !defined(__SANITIZE_THREAD__)
-#define VOLSURF_VECTORISE __attribute__((target_clones("avx2", "default")))
+#define VOLSURF_VECTORISE __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define VOLSURF_VECTORISE
 #endif

@@ -33,6 +33,7 @@ void smooth_row(KernelRows rows, const float *weights, int radius, std::int64_t 
     Float32x8 sums[kVectors];
     for (int v = 0; v < kVectors; ++v)
       sums[v] = weights[0] * vector_at(rows[radius], at + kLanes * v);
+#pragma GCC unroll 2
     for (int k = 1; k <= radius; ++k)
       for (int v = 0; v < kVectors; ++v)
         sums[v] +=
@@ -54,6 +55,7 @@ void derive_row(KernelRows rows, const float *weights, int radius, std::int64_t 
   for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
     const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
     Float32x8 sums[kVectors] = {};
+#pragma GCC unroll 2
     for (int k = 1; k <= radius; ++k)
       for (int v = 0; v < kVectors; ++v)
         sums[v] +=
@@ -67,26 +69,25 @@ VOLSURF_VECTORISE
 void smooth_and_derive_row(KernelRows rows, const float *smooth, const float *derive, int radius, std::int64_t count,
                            float *smooth_out, float *derive_out)
 {
-  constexpr int kVectorsOfEach = kVectors / 2;
-  constexpr std::int64_t kBoth = kLanes * kVectorsOfEach;
-  if (count < kBoth) {
+  if (count < kStrip) {
     smooth_row(rows, smooth, radius, count, smooth_out);
     derive_row(rows, derive, radius, count, derive_out);
   }
-  for (std::int64_t begin = 0; count >= kBoth && begin < count; begin += kBoth) {
-    const std::int64_t at = begin + kBoth <= count ? begin : count - kBoth;
-    Float32x8 smooth_sums[kVectorsOfEach];
-    Float32x8 derive_sums[kVectorsOfEach] = {};
-    for (int v = 0; v < kVectorsOfEach; ++v)
+  for (std::int64_t begin = 0; count >= kStrip && begin < count; begin += kStrip) {
+    const std::int64_t at = begin + kStrip <= count ? begin : count - kStrip;
+    Float32x8 smooth_sums[kVectors];
+    Float32x8 derive_sums[kVectors] = {};
+    for (int v = 0; v < kVectors; ++v)
       smooth_sums[v] = smooth[0] * vector_at(rows[radius], at + kLanes * v);
+#pragma GCC unroll 2
     for (int k = 1; k <= radius; ++k)
-      for (int v = 0; v < kVectorsOfEach; ++v) {
+      for (int v = 0; v < kVectors; ++v) {
         const Float32x8 low = vector_at(rows[radius - k], at + kLanes * v);
         const Float32x8 high = vector_at(rows[radius + k], at + kLanes * v);
         smooth_sums[v] += smooth[k] * (low + high);
         derive_sums[v] += derive[k] * (high - low);
       }
-    for (int v = 0; v < kVectorsOfEach; ++v) {
+    for (int v = 0; v < kVectors; ++v) {
       lanes_at<Float32x8>(smooth_out + at + kLanes * v) = smooth_sums[v];
       lanes_at<Float32x8>(derive_out + at + kLanes * v) = derive_sums[v];
     }
