@@ -39,8 +39,9 @@ using Compute = std::function<Outcome(const Volume &, const RunOptions &)>;
 using Check = std::function<void(const Outcome &, const Volume &, const RunOptions &)>;
 
 /// Reads, crops and tiles the volume, computes as often as is asked for, and prints one JSON object on standard output:
-/// the volume, the options, the stages' seconds and the processors' of each repeat, the facts and the memory. Reading
-/// is not part of any figure but `peak_bytes`, which is the whole program's. `check` comes after all measurements.
+/// the volume, the options, the stages' seconds and the processors' of each repeat, the facts, and the memory of the
+/// first repeat. Reading is not part of any figure but `peak_bytes`, which is the whole program's. `check` comes after
+/// all measurements.
 void measure_and_print(const RunOptions &options, const Compute &compute, const Check &check = {});
 
 /// Parses the command line, runs `body`, and turns exceptions into a line on standard error. Returns the exit code.
