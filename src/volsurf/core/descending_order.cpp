@@ -115,7 +115,7 @@ std::vector<std::uint32_t> descending_order(const std::vector<float> &values, st
     std::vector<Keyed> sorted;
     for (std::int64_t bucket = buckets.begin; bucket < buckets.end; ++bucket) {
       const std::uint32_t begin = bucket == 0 ? 0 : ends[bucket - 1];
-      sort_bucket(&keys[begin], &places[begin], ends[bucket] - begin, sorted);
+      sort_bucket(keys.data() + begin, places.data() + begin, ends[bucket] - begin, sorted);
     }
   });
   return places;
